@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: MIT
+#include "base/json.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace versorium {
+namespace {
+
+// Builds the document from the parser's events, so that depth and duplicate keys are checked before
+// anything is copied.
+class StrictBuilder final : public nlohmann::json_sax<Json> {
+  public:
+    Json root;
+    std::string fault;
+
+    bool null() override { return add(nullptr); }
+    bool boolean(bool value) override { return add(value); }
+    bool number_integer(std::int64_t value) override { return add(value); }
+    bool number_unsigned(std::uint64_t value) override { return add(value); }
+    bool number_float(double value, const std::string& text) override {
+        if (!std::isfinite(value)) return refuse(path() + ": the number " + text + " is too large");
+        return add(value);
+    }
+    bool string(std::string& value) override { return add(std::move(value)); }
+    bool binary(Json::binary_t&) override { return refuse("binary values are not JSON"); }
+    bool start_object(std::size_t) override { return open(Json::object()); }
+    bool start_array(std::size_t) override { return open(Json::array()); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+    bool key(std::string& value) override {
+        key_ = value;
+        if (stack_.back()->contains(value))
+            return refuse(path() + ": the key stands twice; keep one of them");
+        return true;
+    }
+    bool parse_error(std::size_t, const std::string&,
+                     const nlohmann::detail::exception& error) override {
+        const std::string text = error.what();
+        const std::size_t start = text.find("] ");
+        fault = "not JSON: " + (start == std::string::npos ? text : text.substr(start + 2));
+        return false;
+    }
+
+  private:
+    bool refuse(std::string message) {
+        fault = std::move(message);
+        return false;
+    }
+
+    Json* place(Json value) {
+        if (stack_.empty()) {
+            root = std::move(value);
+            return &root;
+        }
+        Json& parent = *stack_.back();
+        if (parent.is_array()) {
+            parent.push_back(std::move(value));
+            return &parent.back();
+        }
+        return &(parent[key_] = std::move(value));
+    }
+    bool add(Json value) {
+        place(std::move(value));
+        return true;
+    }
+    bool open(Json value) {
+        if (stack_.size() >= kJsonDepth)
+            return refuse("nested more than " + std::to_string(kJsonDepth) + " levels deep");
+        const std::string name = stack_.empty() ? "" : stack_.back()->is_array() ? "[]" : key_;
+        stack_.push_back(place(std::move(value)));
+        names_.push_back(name);
+        return true;
+    }
+    bool close() {
+        stack_.pop_back();
+        names_.pop_back();
+        return true;
+    }
+    std::string path() const {
+        std::string text;
+        for (const std::string& name : names_)
+            if (!name.empty()) text += name == "[]" ? name : (text.empty() ? "" : ".") + name;
+        return text.empty() ? key_ : text + "." + key_;
+    }
+
+    // Pointers into `root`: a parent never grows while a child is open.
+    std::vector<Json*> stack_;
+    std::vector<std::string> names_;
+    std::string key_;
+};
+
+bool plainList(const Json& value) {
+    for (const Json& item : value)
+        if (item.is_structured()) return false;
+    return true;
+}
+
+void print(const Json& value, int depth, std::string& out) {
+    const std::string pad(static_cast<std::size_t>(2 * depth + 2), ' ');
+    if (!value.is_structured()) {
+        out += value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    } else if (value.empty()) {
+        out += value.is_array() ? "[]" : "{}";
+    } else if (value.is_array() && plainList(value)) {
+        out += '[';
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            if (i > 0) out += ", ";
+            print(value[i], depth, out);
+        }
+        out += ']';
+    } else {
+        const bool array = value.is_array();
+        out += array ? "[" : "{";
+        bool first = true;
+        for (auto item = value.begin(); item != value.end(); ++item) {
+            out += first ? "\n" : ",\n";
+            first = false;
+            out += pad;
+            if (!array) out += Json(item.key()).dump() + ": ";
+            print(*item, depth + 1, out);
+        }
+        out += "\n" + pad.substr(2) + (array ? "]" : "}");
+    }
+}
+
+}  // namespace
+
+Expected<Json> parseJson(std::string_view text) {
+    StrictBuilder builder;
+    if (!Json::sax_parse(text.begin(), text.end(), &builder))
+        return Status::data(builder.fault.empty() ? "not JSON" : builder.fault);
+    return std::move(builder.root);
+}
+
+std::string printJson(const Json& value) {
+    std::string out;
+    print(value, 0, out);
+    out += '\n';
+    return out;
+}
+
+std::string formatNumber(double value) {
+    if (std::isnan(value)) return "nan";
+    if (std::isinf(value)) return value < 0 ? "-inf" : "inf";
+    char buffer[40];
+    for (int digits = 1; digits <= 17; ++digits) {
+        std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
+        if (std::strtod(buffer, nullptr) == value) break;
+    }
+    return buffer;
+}
+
+std::string formatNumber(double value, int digits) {
+    if (!std::isfinite(value)) return formatNumber(value);
+    char buffer[40];
+    std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
+    return buffer;
+}
+
+ObjectReader::ObjectReader(const Json& value, std::string path)
+    : value_(value), path_(std::move(path)) {
+    if (!value_.is_object()) fail("an object { … } is expected here");
+}
+
+std::string ObjectReader::pathOf(const char* key) const {
+    return path_.empty() ? key : path_ + "." + key;
+}
+
+void ObjectReader::fail(const Status& status) {
+    if (status_.ok() && !status.ok()) status_ = status;
+}
+void ObjectReader::fail(const std::string& message) {
+    fail(Status::data(path_.empty() ? message : path_ + ": " + message));
+}
+void ObjectReader::fail(const char* key, const std::string& message) {
+    fail(Status::data(pathOf(key) + ": " + message));
+}
+
+bool ObjectReader::has(const char* key) const { return value_.is_object() && value_.contains(key); }
+
+const Json* ObjectReader::child(const char* key) {
+    known_.insert(key);
+    if (!has(key)) return nullptr;
+    return &*value_.find(key);
+}
+
+ObjectReader& ObjectReader::number(const char* key, double& value, double low, double high) {
+    const Json* found = child(key);
+    if (!found) return *this;
+    if (!found->is_number()) {
+        fail(key, "a number is expected");
+        return *this;
+    }
+    const double number = found->get<double>();
+    if (!(number >= low && number <= high))
+        fail(key, formatNumber(number) + " is out of range: " + formatNumber(low) + " to " +
+                      formatNumber(high));
+    else
+        value = number;
+    return *this;
+}
+
+ObjectReader& ObjectReader::integer(const char* key, int& value, int low, int high) {
+    double number = value;
+    const Json* found = child(key);
+    if (!found) return *this;
+    const bool before = failed();
+    this->number(key, number, low, high);
+    if (failed() && !before) return *this;
+    if (number != std::floor(number))
+        fail(key, formatNumber(number) + " is not a whole number");
+    else
+        value = static_cast<int>(number);
+    return *this;
+}
+
+ObjectReader& ObjectReader::boolean(const char* key, bool& value) {
+    const Json* found = child(key);
+    if (!found) return *this;
+    if (found->is_boolean())
+        value = found->get<bool>();
+    else
+        fail(key, "true or false is expected");
+    return *this;
+}
+
+ObjectReader& ObjectReader::text(const char* key, std::string& value) {
+    const Json* found = child(key);
+    if (!found) return *this;
+    if (found->is_string())
+        value = found->get<std::string>();
+    else
+        fail(key, "a text in quotes is expected");
+    return *this;
+}
+
+ObjectReader& ObjectReader::word(const char* key, std::string& value,
+                                 const std::vector<std::string>& words) {
+    std::string chosen = value;
+    text(key, chosen);
+    if (failed() || !has(key)) return *this;
+    for (const std::string& word : words)
+        if (word == chosen) {
+            value = chosen;
+            return *this;
+        }
+    std::string all;
+    for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+    fail(key, "\"" + chosen + "\" is not one of: " + all);
+    return *this;
+}
+
+ObjectReader& ObjectReader::numbers(const char* key, std::vector<double>& value, std::size_t least,
+                                    std::size_t most) {
+    const Json* found = child(key);
+    if (!found) return *this;
+    std::vector<double> read;
+    // A single number stands for a list of one.
+    const Json list = found->is_number() ? Json::array({*found}) : *found;
+    bool good = list.is_array() && list.size() >= least && list.size() <= most;
+    if (good)
+        for (const Json& item : list) {
+            good = good && item.is_number();
+            if (good) read.push_back(item.get<double>());
+        }
+    if (good) {
+        value = std::move(read);
+        return *this;
+    }
+    fail(key, least == most ? "a list of " + std::to_string(least) + " numbers is expected"
+                            : "a list of " + std::to_string(least) + " to " + std::to_string(most) +
+                                  " numbers is expected");
+    return *this;
+}
+
+Status ObjectReader::finish() {
+    if (!status_.ok()) return status_;
+    for (auto item = value_.begin(); item != value_.end(); ++item)
+        if (!known_.contains(item.key())) {
+            std::string all;
+            for (const std::string& name : known_) all += (all.empty() ? "" : ", ") + name;
+            return Status::data(pathOf(item.key().c_str()) + ": unknown key; known here: " + all);
+        }
+    return {};
+}
+
+}  // namespace versorium

@@ -1,0 +1,31 @@
+# Flags for all of the project's own code. Nothing here may change a value: no -ffast-math, and
+# contraction is off except where a kernel is built in its fast flavour (core/CMakeLists.txt).
+# -fno-math-errno and -fno-trapping-math only drop side effects that nobody reads, so that square
+# roots and selections become single instructions.
+add_library(versorium_flags INTERFACE)
+target_compile_options(versorium_flags INTERFACE
+    -Wall -Wextra -Wno-psabi -ffp-contract=off -fno-math-errno -fno-trapping-math
+    -fvisibility=hidden -fvisibility-inlines-hidden)
+if(EMSCRIPTEN)
+    target_compile_options(versorium_flags INTERFACE -msimd128)
+    target_link_options(versorium_flags INTERFACE -sALLOW_MEMORY_GROWTH=1 -sSTACK_SIZE=1048576)
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    target_compile_options(versorium_flags INTERFACE -march=x86-64-v2)
+endif()
+if(VERSORIUM_THREADS)
+    find_package(Threads REQUIRED)
+    target_compile_definitions(versorium_flags INTERFACE VERSORIUM_THREADS=1)
+    if(EMSCRIPTEN)
+        target_compile_options(versorium_flags INTERFACE -pthread)
+        target_link_options(versorium_flags INTERFACE -pthread -sPTHREAD_POOL_SIZE=4)
+    else()
+        target_link_libraries(versorium_flags INTERFACE Threads::Threads)
+    endif()
+else()
+    target_compile_definitions(versorium_flags INTERFACE VERSORIUM_THREADS=0)
+endif()
+if(VERSORIUM_SANITIZE)
+    target_compile_options(versorium_flags INTERFACE
+        -fsanitize=${VERSORIUM_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(versorium_flags INTERFACE -fsanitize=${VERSORIUM_SANITIZE})
+endif()

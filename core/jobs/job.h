@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A piece of work that can be cancelled and says how far it is. Parts of it may run on several
+// threads and finish in any order; what they compute never depends on the number of threads.
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+
+namespace versorium {
+
+class Job {
+  public:
+    Job() = default;
+    explicit Job(int threads) : threads_(threads) {}
+    Job(const Job&) = delete;
+    Job& operator=(const Job&) = delete;
+
+    // Safe from any thread; the work stops at the next part.
+    void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
+    bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+
+    // From 0 to 1; never falls while one parallelFor runs.
+    double progress() const {
+        const std::size_t total = total_.load(std::memory_order_relaxed);
+        return total == 0 ? 0.0
+                          : static_cast<double>(done_.load(std::memory_order_relaxed)) /
+                                static_cast<double>(total);
+    }
+
+    // Number of threads to use; 0 means one for each processor.
+    int threads() const;
+
+    // Runs body(0) … body(count - 1), each exactly once unless the job is cancelled meanwhile.
+    // Returns false when it was cancelled. Serial where the build has no threads.
+    bool parallelFor(std::size_t count, const std::function<void(std::size_t)>& body);
+
+    // Called after each part, from whichever thread did it, with progress(). Must be thread-safe.
+    std::function<void(double)> onProgress;
+
+  private:
+    int threads_ = 0;
+    std::atomic<bool> cancelled_{false};
+    std::atomic<std::size_t> done_{0};
+    std::atomic<std::size_t> total_{0};
+};
+
+}  // namespace versorium
