@@ -12,10 +12,12 @@
 namespace versorium {
 namespace {
 
-constexpr double kLeastPicture = 27;     // millimetres: narrower pictures go to fewer columns
+// Narrower pictures, in millimetres, go to fewer columns: in a single column and on a whole page.
+constexpr double kLeastNarrow = 20, kLeastWide = 26;
 constexpr double kTallest = 1.3;         // of a picture's height to its column's width
 constexpr double kTallestPicture = 120;  // millimetres, on a plate of 178
-constexpr int kRounds = 12;
+constexpr int kPasses = 3;
+constexpr int kRounds = 10;
 
 struct Cell {
     int column = 0, row = 0, span = 1;
@@ -58,13 +60,15 @@ double sum(const std::vector<double>& values, int first, int last) {
 
 // All sizes in whole pixels. before[i] and after[i] are the margins of column (or row) i.
 struct Track {
-    std::vector<double> before, after, size;
+    std::vector<double> before, after, size, neededBefore, neededAfter;
     double gap = 0;
 
     explicit Track(int count, double gapBetween)
         : before(static_cast<std::size_t>(count)),
           after(static_cast<std::size_t>(count)),
           size(static_cast<std::size_t>(count)),
+          neededBefore(before),
+          neededAfter(after),
           gap(gapBetween) {}
     int count() const { return static_cast<int>(size.size()); }
     // From the beginning of picture i to the end of picture i + span - 1.
@@ -80,8 +84,21 @@ struct Track {
         return sum(size, 0, count()) + sum(before, 0, count()) + sum(after, 0, count()) +
                gap * (count() - 1);
     }
+    // Margins back to what the last round needed, all else being as it is.
+    void shrink() {
+        before = neededBefore;
+        after = neededAfter;
+    }
+    void beginRound() {
+        std::fill(neededBefore.begin(), neededBefore.end(), 0.0);
+        std::fill(neededAfter.begin(), neededAfter.end(), 0.0);
+    }
     // Grows the margins; true when something had to.
     bool need(int i, int span, double beforeIt, double afterIt) {
+        double& nb = neededBefore[static_cast<std::size_t>(i)];
+        double& na = neededAfter[static_cast<std::size_t>(i + span - 1)];
+        nb = std::max(nb, beforeIt);
+        na = std::max(na, afterIt);
         double& b = before[static_cast<std::size_t>(i)];
         double& a = after[static_cast<std::size_t>(i + span - 1)];
         const bool grows = beforeIt > b || afterIt > a;
@@ -112,10 +129,16 @@ class GridSolver {
                   {},
                   {},
                   0};
-        for (int round = 0; round < kRounds; ++round) {
-            setWidths(grid);
-            setHeights(grid);
-            if (!measure(grid)) break;
+        // The first rounds begin with pictures that are too wide; what they asked for in vain is
+        // given back before the last ones.
+        for (int pass = 0; pass < kPasses; ++pass) {
+            grid.columns.shrink();
+            grid.rows.shrink();
+            for (int round = 0; round < kRounds; ++round) {
+                setWidths(grid);
+                setHeights(grid);
+                if (!measure(grid)) break;
+            }
         }
         return grid;
     }
@@ -161,6 +184,8 @@ class GridSolver {
         grid.pictures.clear();
         grid.sheets.clear();
         bool grew = false;
+        grid.columns.beginRound();
+        grid.rows.beginRound();
         for (std::size_t i = 0; i < contents_.size(); ++i) {
             const Cell& cell = grid.cells[i];
             const double width = grid.columns.inner(cell.column, cell.span);
@@ -170,10 +195,12 @@ class GridSolver {
             const Size picture{static_cast<int>(fitted),
                                static_cast<int>(std::max(
                                    8.0, std::min(height, std::floor(fitted / aspect + 0.5))))};
-            Sheet sheet = buildPanel(contents_[i], picture, m_, theme_);
             // A picture narrower than its cell stands in the middle of it, and what is beside it
             // may use the room there.
             const double shift = std::floor(0.5 * (width - picture.width));
+            const double margin =
+                grid.columns.after[static_cast<std::size_t>(cell.column + cell.span - 1)];
+            Sheet sheet = buildPanel(contents_[i], picture, width - shift + margin, m_, theme_);
             const Box& extent = sheet.extent();
             grew |= grid.columns.need(cell.column, cell.span,
                                       std::max(0.0, std::ceil(-extent.left - shift)),
@@ -311,10 +338,8 @@ class Composer {
                 return status.in("panel " + plate_.panels[i].name);
             titles_.push_back(title);
             // A single panel needs no letter.
-            const std::string letter =
-                plate_.panels.size() == 1 ? "" : "\\bold{(" + plate_.panels[i].name + ")}";
-            contents_[i].heading =
-                letter + (letter.empty() || title.empty() ? "" : "\u00a0 ") + title;
+            if (plate_.panels.size() > 1) contents_[i].letter = "(" + plate_.panels[i].name + ")";
+            contents_[i].title = title;
         }
         return {};
     }
@@ -334,11 +359,13 @@ class Composer {
     // The widest grid whose pictures are not too small.
     Grid chooseGrid(double inner) const {
         const GridSolver solver(contents_, m_, theme_, inner);
+        const double page = std::clamp((options_.widthMillimetres - 89) / 89, 0.0, 1.0);
+        const double least = (kLeastNarrow + page * (kLeastWide - kLeastNarrow)) * m_.millimetre;
         for (int columns = wishedColumns(plate_);; --columns) {
             int rows = 0;
             const std::vector<Cell> cells = placeCells(plate_.panels, columns, rows);
             Grid grid = solver.solve(cells, columns, rows);
-            if (columns == 1 || grid.pictureWidth >= kLeastPicture * m_.millimetre) return grid;
+            if (columns == 1 || grid.pictureWidth >= least) return grid;
         }
     }
 
@@ -397,8 +424,8 @@ class Composer {
 
 Expected<PlatePicture> layoutPlate(const Plate& plate, const PlateOptions& options,
                                    const PanelSource& source) {
-    if (!(options.widthMillimetres >= 40 && options.widthMillimetres <= 2000))
-        return Status::usage("the width of a plate is 40 to 2000 mm");
+    if (!(options.widthMillimetres >= 60 && options.widthMillimetres <= 2000))
+        return Status::usage("the width of a plate is 60 to 2000 mm");
     if (!(options.dotsPerInch >= 50 && options.dotsPerInch <= 2400))
         return Status::usage("the resolution of a plate is 50 to 2400 dots per inch");
     if (plate.panels.empty()) return Status::usage("the plate has no panels");

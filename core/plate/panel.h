@@ -33,7 +33,8 @@ struct LegendRow {
 };
 
 struct PanelContent {
-    std::string heading;  // markup, with the letter
+    std::string letter;  // "(a)", or empty
+    std::string title;   // markup
     double aspect = 1;
     std::optional<PanelAxis> x, y;
     std::optional<ColourBar> bar;
@@ -42,9 +43,10 @@ struct PanelContent {
     const LinePlot* plot = nullptr;  // drawn by the panel itself
 };
 
-// The content must outlive the sheet.
-Sheet buildPanel(const PanelContent& content, Size picture, const Metrics& metrics,
-                 const Theme& theme);
+// The heading may reach as far as headingRight, or as far as anything else does. The content must
+// outlive the sheet.
+Sheet buildPanel(const PanelContent& content, Size picture, double headingRight,
+                 const Metrics& metrics, const Theme& theme);
 
 // The content of a line plot: axes from its data, a legend of its lines.
 PanelContent plotContent(const LinePlot& plot, const Theme& theme);

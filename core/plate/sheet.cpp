@@ -34,6 +34,12 @@ void Sheet::add(const Sheet& other, double dx, double dy, const std::string& pre
         boxes_.push_back({prefix + box.name, box.box.moved(dx, dy), box.pointSize});
 }
 
+bool Sheet::collides(const Box& box) const {
+    for (const PlateBox& other : boxes_)
+        if (overlap(box, other.box)) return true;
+    return false;
+}
+
 void Sheet::draw(Canvas& canvas) const {
     for (const Command& command : commands_) command.draw(canvas, command.dx, command.dy);
 }

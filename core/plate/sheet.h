@@ -25,6 +25,8 @@ class Sheet {
     void add(const Sheet& other, double dx, double dy, const std::string& prefix);
     void draw(Canvas& canvas) const;
 
+    // Whether a box takes room that is reserved or has a text.
+    bool collides(const Box& box) const;
     const Box& extent() const { return extent_; }
     const std::vector<PlateBox>& boxes() const { return boxes_; }
 
