@@ -6,6 +6,8 @@ add_library(versorium_flags INTERFACE)
 target_compile_options(versorium_flags INTERFACE
     -Wall -Wextra -Wno-psabi -ffp-contract=off -fno-math-errno -fno-trapping-math
     -fvisibility=hidden -fvisibility-inlines-hidden)
+# g++ 12 warns wrongly of overlapping copies where it inlines std::string.
+target_compile_options(versorium_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 if(EMSCRIPTEN)
     target_compile_options(versorium_flags INTERFACE -msimd128)
     target_link_options(versorium_flags INTERFACE -sALLOW_MEMORY_GROWTH=1 -sSTACK_SIZE=1048576)
