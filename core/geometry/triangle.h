@@ -43,6 +43,7 @@ class Triangle {
     const std::array<glm::dvec3, 3>& corners() const { return corners_; }
     const glm::dvec3& normal() const { return normal_; }  // of length 1
     double area() const { return area_; }
+    glm::dvec3 centroid() const { return (corners_[0] + corners_[1] + corners_[2]) / 3.0; }
 
     // Exact where it is below `best`; otherwise anything not below `best`.
     double squaredDistance(const glm::dvec3& point, double best) const {

@@ -12,7 +12,7 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kLargest = 1e6;
 constexpr double kLeastSquaredArea = 1e-280;  // of the doubled area; below, normals lose digits
-constexpr double kFar = 2;  // a cluster is far from 2 radii on (Barill et al. 2018, section 3)
+constexpr double kFar = 2.5;  // radii from which on a cluster's moments are used
 
 using Edge = std::array<std::uint32_t, 2>;
 
@@ -133,36 +133,62 @@ void MeshField::gatherBoundary(const Mesh& mesh) {
 }
 
 void MeshField::gatherClusters() {
-    clusters_.resize(tree_.nodes().size());
-    for (std::size_t n = 0; n < clusters_.size(); ++n) {
-        const BoundingTree::Node& node = tree_.nodes()[n];
-        const auto begin = triangles_.begin() + node.first, end = begin + node.count;
-        const auto centroid = [](const Triangle& triangle) {
-            const auto& corners = triangle.corners();
-            return (corners[0] + corners[1] + corners[2]) / 3.0;
-        };
-        Cluster& cluster = clusters_[n];
-        double area = 0;
-        for (auto triangle = begin; triangle != end; ++triangle) {
-            area += triangle->area();
-            cluster.centre += triangle->area() * centroid(*triangle);
-            cluster.dipole += triangle->area() * triangle->normal();
-        }
-        cluster.centre /= area;
-        for (auto triangle = begin; triangle != end; ++triangle) {
-            const glm::dvec3 arm = triangle->area() * (centroid(*triangle) - cluster.centre);
-            const glm::dvec3& normal = triangle->normal();
-            cluster.diagonal += arm * normal;
-            cluster.mixed +=
-                glm::dvec3(arm.x * normal.y + arm.y * normal.x, arm.x * normal.z + arm.z * normal.x,
-                           arm.y * normal.z + arm.z * normal.y);
-            for (const glm::dvec3& corner : triangle->corners()) {
-                const glm::dvec3 apart = corner - cluster.centre;
-                cluster.squaredRadius =
-                    std::max(cluster.squaredRadius, kFar * kFar * glm::dot(apart, apart));
-            }
+    for (const BoundingTree::Node& node : tree_.nodes())
+        clusters_.push_back(clusterOf(std::span(triangles_).subspan(node.first, node.count)));
+}
+
+MeshField::Cluster MeshField::clusterOf(std::span<const Triangle> triangles) {
+    Cluster cluster;
+    double area = 0;
+    for (const Triangle& triangle : triangles) {
+        area += triangle.area();
+        cluster.centre += triangle.area() * triangle.centroid();
+    }
+    cluster.centre /= area;
+    for (const Triangle& triangle : triangles) {
+        addMoments(triangle, cluster);
+        for (const glm::dvec3& corner : triangle.corners()) {
+            const glm::dvec3 apart = corner - cluster.centre;
+            cluster.squaredRadius =
+                std::max(cluster.squaredRadius, kFar * kFar * glm::dot(apart, apart));
         }
     }
+    return cluster;
+}
+
+void MeshField::addMoments(const Triangle& triangle, Cluster& cluster) {
+    const glm::dvec3 n = triangle.normal() * triangle.area();
+    const glm::dvec3 v = triangle.centroid() - cluster.centre;
+    cluster.dipole += n;
+    cluster.trace += glm::dot(v, n);
+    cluster.diagonal += v * n;
+    cluster.mixed +=
+        glm::dvec3(v.x * n.y + v.y * n.x, v.x * n.z + v.z * n.x, v.y * n.z + v.z * n.y);
+    // The mean of v v over a triangle is that of its centroid plus 1/12 Σ of its corners' about it.
+    glm::dvec3 square = v * v, product(v.x * v.y, v.x * v.z, v.y * v.z);
+    for (const glm::dvec3& corner : triangle.corners()) {
+        const glm::dvec3 c = corner - triangle.centroid();
+        square += c * c / 12.0;
+        product += glm::dvec3(c.x * c.y, c.x * c.z, c.y * c.z) / 12.0;
+    }
+    const double xx = square.x, yy = square.y, zz = square.z;
+    const double xy = product.x, xz = product.y, yz = product.z;
+    const glm::dvec3 applied(xx * n.x + xy * n.y + xz * n.z, xy * n.x + yy * n.y + yz * n.z,
+                             xz * n.x + yz * n.y + zz * n.z);
+    cluster.vector += 0.5 * ((xx + yy + zz) * n + 2.0 * applied);
+    const double entries[10] = {
+        xx * n.x,
+        xx * n.y + 2 * xy * n.x,
+        xx * n.z + 2 * xz * n.x,
+        yy * n.x + 2 * xy * n.y,
+        2 * (xy * n.z + xz * n.y + yz * n.x),
+        zz * n.x + 2 * xz * n.z,
+        yy * n.y,
+        yy * n.z + 2 * yz * n.y,
+        zz * n.y + 2 * yz * n.z,
+        zz * n.z,
+    };
+    for (std::size_t i = 0; i < 10; ++i) cluster.cubic[i] += 0.5 * entries[i];
 }
 
 double MeshField::distance(const glm::dvec3& point) const {
@@ -179,14 +205,22 @@ double MeshField::squaredDistance(const glm::dvec3& point, double squaredBound,
     });
 }
 
-// ∫ n·(x - q)/|x - q|³ over the cluster, by Taylor's formula about its centre; d = centre - q.
-double MeshField::clusterAngle(const Cluster& cluster, const glm::dvec3& d, double squared) const {
+// ∫ n·(d + v)/|d + v|³ by Taylor's formula about v = 0, where d leads from the point to the centre:
+//   n·d/r³ + [v·n/r³ - 3 (v·d)(n·d)/r⁵] + ½ [15 (v·d)² (n·d)/r⁷ - 3 (|v|² n·d + 2 (v·n)(v·d))/r⁵].
+double MeshField::clusterAngle(const Cluster& cluster, const glm::dvec3& d, double squared) {
     const double inverse = 1 / squared;
     const double inverseCube = inverse / sqrt(squared);
-    const double trace = cluster.diagonal.x + cluster.diagonal.y + cluster.diagonal.z;
-    const double quadratic = glm::dot(cluster.diagonal, d * d) + cluster.mixed.x * d.x * d.y +
+    const glm::dvec3 square = d * d;
+    const double quadratic = glm::dot(cluster.diagonal, square) + cluster.mixed.x * d.x * d.y +
                              cluster.mixed.y * d.x * d.z + cluster.mixed.z * d.y * d.z;
-    return inverseCube * (glm::dot(cluster.dipole, d) + trace - 3 * inverse * quadratic);
+    const std::array<double, 10>& c = cluster.cubic;
+    const double cubic = d.x * (c[0] * square.x + c[1] * d.x * d.y + c[2] * d.x * d.z +
+                                c[3] * square.y + c[4] * d.y * d.z + c[5] * square.z) +
+                         d.y * (c[6] * square.y + c[7] * d.y * d.z + c[8] * square.z) +
+                         c[9] * d.z * square.z;
+    const double fifth = quadratic + glm::dot(cluster.vector, d);
+    return inverseCube * (glm::dot(cluster.dipole, d) + cluster.trace - 3 * inverse * fifth +
+                          15 * inverse * inverse * cubic);
 }
 
 double MeshField::windingNumber(const glm::dvec3& point) const {

@@ -4,8 +4,9 @@
 // The sign comes from the generalized winding number (Jacobson, Kavan, Sorkine-Hornung 2013): the
 // solid angle of the surface divided by 4π, which is a whole number for a closed mesh and stays
 // near one when the mesh has small holes; inside is where it exceeds ½. Far parts of the surface
-// are summed up by their first two moments (Barill, Dickson, Schmidt, Levin, Jacobson 2018).
+// are summed up by their first three moments (Barill, Dickson, Schmidt, Levin, Jacobson 2018).
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -36,7 +37,7 @@ class MeshField {
     double windingNumber(const glm::dvec3& point) const;
     // The winding number as the plain sum over all triangles.
     double windingNumberBySum(const glm::dvec3& point) const;
-    static constexpr double kWindingError = 0.02;
+    static constexpr double kWindingError = 0.01;
 
     // A radius around a point within which the winding number stays on the same side of ½, given
     // the point's distance to the surface and its winding number; 0 when nothing can be said.
@@ -48,13 +49,18 @@ class MeshField {
     bool turned() const { return turned_; }
 
   private:
-    // Moments of the triangles of a node, for points that see it under a small angle.
+    // Moments of the triangles of a node, for points that see it under a small angle: with v the
+    // place from the centre and n the normal, ∫ n, ∫ v n and ½ ∫ v v n over the area, each in the
+    // form in which it meets the direction d.
     struct Cluster {
-        glm::dvec3 centre{};       // weighted by area
-        double squaredRadius = 0;  // times kFar²: nearer points need the node's parts
-        glm::dvec3 dipole{};       // Σ area · normal
-        glm::dvec3 diagonal{};  // of the symmetric part of Σ area · (centroid - centre) normalᵀ
-        glm::dvec3 mixed{};     // its xy, xz, yz entries, doubled
+        glm::dvec3 centre{};             // weighted by area
+        double squaredRadius = 0;        // nearer points than this need the node's parts
+        glm::dvec3 dipole{};             // n·d
+        double trace = 0;                // v·n
+        glm::dvec3 diagonal{}, mixed{};  // (v·d)(n·d): xx, yy, zz; xy, xz, yz
+        glm::dvec3 vector{};             // (|v|² n·d + 2 (v·n)(v·d)) / 2
+        std::array<double, 10>
+            cubic{};  // (v·d)² (n·d) / 2: xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz
     };
     struct Segment {
         glm::dvec3 start, side;
@@ -65,7 +71,9 @@ class MeshField {
     void gatherTriangles(const Mesh& mesh);
     void gatherBoundary(const Mesh& mesh);
     void gatherClusters();
-    double clusterAngle(const Cluster& cluster, const glm::dvec3& towards, double squared) const;
+    static Cluster clusterOf(std::span<const Triangle> triangles);
+    static void addMoments(const Triangle& triangle, Cluster& cluster);
+    static double clusterAngle(const Cluster& cluster, const glm::dvec3& d, double squared);
 
     BoundingTree tree_;
     std::vector<Triangle> triangles_;
