@@ -12,7 +12,7 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kLargest = 1e6;
 constexpr double kLeastSquaredArea = 1e-280;  // of the doubled area; below, normals lose digits
-constexpr double kFar = 2.5;  // radii from which on a cluster's moments are used
+constexpr double kFar = 2.5;                  // radii from which on a cluster's moments are used
 
 using Edge = std::array<std::uint32_t, 2>;
 
