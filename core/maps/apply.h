@@ -69,11 +69,15 @@ template <class M>
 inline constexpr int kParameters = ArgumentList<ArgumentsOf<M, double>>::kWidth;
 
 template <class M, class R>
-StateOf<M, R> applyStep(const StateOf<M, R>& state, const R* parameters,
-                        const Environment<R>& environment) {
-    const auto arguments = ArgumentList<ArgumentsOf<M, R>>::take(parameters, environment);
+StateOf<M, R> stepWith(const StateOf<M, R>& state, const ArgumentsOf<M, R>& arguments) {
     return std::apply([&](const auto&... as) { return M::template step<R>(state, as...); },
                       arguments);
+}
+
+template <class M, class R>
+StateOf<M, R> applyStep(const StateOf<M, R>& state, const R* parameters,
+                        const Environment<R>& environment) {
+    return stepWith<M, R>(state, ArgumentList<ArgumentsOf<M, R>>::take(parameters, environment));
 }
 
 // In place, from and to flat arrays.

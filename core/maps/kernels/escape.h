@@ -213,12 +213,11 @@ struct EscapeKernel {
         for (int k = 0; k < kD; ++k) batch.state[k][orbit] = rows[k][at];
     }
 
-    template <bool Final>
-    static auto runBlock(State& z, const R* parameters, const Environment<R>& environment,
-                         int steps, const R& radius) {
+    template <bool Final, class Arguments>
+    static auto runBlock(State& z, const Arguments& arguments, int steps, const R& radius) {
         auto inside = squaredNorm(z) <= radius;
         for (int i = 0; i < steps; ++i) {
-            z = applyStep<M, R>(z, parameters, environment);
+            z = stepWith<M, R>(z, arguments);
             if constexpr (!Final) inside = inside & (squaredNorm(z) <= radius);
         }
         if constexpr (Final) inside = squaredNorm(z) <= radius;
@@ -252,7 +251,9 @@ struct EscapeKernel {
         for (int first = 0; first < active.size; first += kWidth) {
             loadStreams(active, first, parameters, environment);
             State z = loadState(active, first);
-            const auto inside = runBlock<Final>(z, parameters, environment, steps, radius);
+            const R* from = parameters;
+            const auto arguments = ArgumentList<ArgumentsOf<M, R>>::take(from, environment);
+            const auto inside = runBlock<Final>(z, arguments, steps, radius);
             bool repeats = false;
             R old[kD];
             if (compare) {
