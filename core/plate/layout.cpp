@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The grid of a plate. Columns share the width of their pictures; what stands beside a picture
-// depends on its size (ticks) and takes width from it, so widths are found by a few rounds in which
-// margins only grow.
+// The page: title, grid of panels, caption and note, one below the other.
 #include <algorithm>
 #include <cmath>
 
 #include "plate/caption.h"
-#include "plate/panel.h"
+#include "plate/grid.h"
 #include "plate/plate.h"
 
 namespace versorium {
@@ -14,210 +12,6 @@ namespace {
 
 // Narrower pictures, in millimetres, go to fewer columns: in a single column and on a whole page.
 constexpr double kLeastNarrow = 20, kLeastWide = 26;
-constexpr double kTallest = 1.3;         // of a picture's height to its column's width
-constexpr double kTallestPicture = 120;  // millimetres, on a plate of 178
-constexpr int kPasses = 3;
-constexpr int kRounds = 10;
-
-struct Cell {
-    int column = 0, row = 0, span = 1;
-};
-
-// Panels in reading order, each at the first place where it fits.
-std::vector<Cell> placeCells(const std::vector<PlatePanel>& panels, int columns, int& rows) {
-    std::vector<std::vector<bool>> taken;
-    std::vector<Cell> cells;
-    const auto isFree = [&](int row, int column, int span) {
-        if (column + span > columns) return false;
-        for (int r = row; r < row + span; ++r)
-            for (int c = column; c < column + span; ++c)
-                if (r < static_cast<int>(taken.size()) &&
-                    taken[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)])
-                    return false;
-        return true;
-    };
-    for (const PlatePanel& panel : panels) {
-        const int span = std::min(panel.span, columns);
-        int place = 0;
-        while (!isFree(place / columns, place % columns, span)) ++place;
-        const Cell cell{place % columns, place / columns, span};
-        while (static_cast<int>(taken.size()) < cell.row + span)
-            taken.emplace_back(static_cast<std::size_t>(columns), false);
-        for (int r = cell.row; r < cell.row + span; ++r)
-            for (int c = cell.column; c < cell.column + span; ++c)
-                taken[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)] = true;
-        cells.push_back(cell);
-    }
-    rows = static_cast<int>(taken.size());
-    return cells;
-}
-
-double sum(const std::vector<double>& values, int first, int last) {
-    double total = 0;
-    for (int i = first; i < last; ++i) total += values[static_cast<std::size_t>(i)];
-    return total;
-}
-
-// All sizes in whole pixels. before[i] and after[i] are the margins of column (or row) i.
-struct Track {
-    std::vector<double> before, after, size, neededBefore, neededAfter;
-    double gap = 0;
-
-    explicit Track(int count, double gapBetween)
-        : before(static_cast<std::size_t>(count)),
-          after(static_cast<std::size_t>(count)),
-          size(static_cast<std::size_t>(count)),
-          neededBefore(before),
-          neededAfter(after),
-          gap(gapBetween) {}
-    int count() const { return static_cast<int>(size.size()); }
-    // From the beginning of picture i to the end of picture i + span - 1.
-    double inner(int i, int span) const {
-        return sum(size, i, i + span) + sum(before, i + 1, i + span) + sum(after, i, i + span - 1) +
-               gap * (span - 1);
-    }
-    // From the beginning of the track to that of picture i.
-    double start(int i) const {
-        return sum(size, 0, i) + sum(before, 0, i + 1) + sum(after, 0, i) + gap * i;
-    }
-    double total() const {
-        return sum(size, 0, count()) + sum(before, 0, count()) + sum(after, 0, count()) +
-               gap * (count() - 1);
-    }
-    // Margins back to what the last round needed, all else being as it is.
-    void shrink() {
-        before = neededBefore;
-        after = neededAfter;
-    }
-    void beginRound() {
-        std::fill(neededBefore.begin(), neededBefore.end(), 0.0);
-        std::fill(neededAfter.begin(), neededAfter.end(), 0.0);
-    }
-    // Grows the margins; true when something had to.
-    bool need(int i, int span, double beforeIt, double afterIt) {
-        double& nb = neededBefore[static_cast<std::size_t>(i)];
-        double& na = neededAfter[static_cast<std::size_t>(i + span - 1)];
-        nb = std::max(nb, beforeIt);
-        na = std::max(na, afterIt);
-        double& b = before[static_cast<std::size_t>(i)];
-        double& a = after[static_cast<std::size_t>(i + span - 1)];
-        const bool grows = beforeIt > b || afterIt > a;
-        b = std::max(b, beforeIt);
-        a = std::max(a, afterIt);
-        return grows;
-    }
-};
-
-struct Grid {
-    Track columns, rows;
-    std::vector<Cell> cells;
-    std::vector<Size> pictures;
-    std::vector<Sheet> sheets;
-    double pictureWidth = 0;
-};
-
-class GridSolver {
-  public:
-    GridSolver(const std::vector<PanelContent>& contents, const Metrics& metrics,
-               const Theme& theme, double width)
-        : contents_(contents), m_(metrics), theme_(theme), width_(width) {}
-
-    Grid solve(const std::vector<Cell>& cells, int columns, int rows) const {
-        Grid grid{Track(columns, std::floor(m_.columnGap)),
-                  Track(rows, std::floor(m_.rowGap)),
-                  cells,
-                  {},
-                  {},
-                  0};
-        // The first rounds begin with pictures that are too wide; what they asked for in vain is
-        // given back before the last ones.
-        for (int pass = 0; pass < kPasses; ++pass) {
-            grid.columns.shrink();
-            grid.rows.shrink();
-            for (int round = 0; round < kRounds; ++round) {
-                setWidths(grid);
-                setHeights(grid);
-                if (!measure(grid)) break;
-            }
-        }
-        return grid;
-    }
-
-  private:
-    void setWidths(Grid& grid) const {
-        std::vector<double>& size = grid.columns.size;
-        std::fill(size.begin(), size.end(), 0.0);
-        const double room = width_ - grid.columns.total();
-        const double each = std::max(8.0, std::floor(room / grid.columns.count()));
-        std::fill(size.begin(), size.end(), each);
-        grid.pictureWidth = each;
-    }
-
-    double tallest(double width) const {
-        return std::floor(
-            std::min(kTallest * width, kTallestPicture * m_.millimetre * std::max(1.0, enlarge())));
-    }
-    double enlarge() const { return width_ / (178 * m_.millimetre); }
-
-    void setHeights(Grid& grid) const {
-        std::vector<double>& heights = grid.rows.size;
-        std::fill(heights.begin(), heights.end(), 0.0);
-        for (const bool spanning : {false, true})
-            for (std::size_t i = 0; i < contents_.size(); ++i) {
-                const Cell& cell = grid.cells[i];
-                if ((cell.span > 1) != spanning) continue;
-                const double width = grid.columns.inner(cell.column, cell.span);
-                const double wanted =
-                    std::min(std::floor(width / contents_[i].aspect + 0.5), tallest(width));
-                const double missing = wanted - grid.rows.inner(cell.row, cell.span);
-                // A large panel may stretch rows that hold nothing else yet, or a little.
-                const double share = std::ceil(missing / cell.span);
-                for (int r = cell.row; r < cell.row + cell.span && missing > 0; ++r) {
-                    double& height = heights[static_cast<std::size_t>(r)];
-                    height += height == 0 || !spanning ? share : std::min(share, 0.12 * height);
-                }
-            }
-    }
-
-    // Fits the pictures into their cells and builds the panels; true when a margin grew.
-    bool measure(Grid& grid) const {
-        grid.pictures.clear();
-        grid.sheets.clear();
-        bool grew = false;
-        grid.columns.beginRound();
-        grid.rows.beginRound();
-        for (std::size_t i = 0; i < contents_.size(); ++i) {
-            const Cell& cell = grid.cells[i];
-            const double width = grid.columns.inner(cell.column, cell.span);
-            const double height = grid.rows.inner(cell.row, cell.span);
-            const double aspect = contents_[i].aspect;
-            const double fitted = std::max(8.0, std::min(width, std::floor(height * aspect + 0.5)));
-            const Size picture{static_cast<int>(fitted),
-                               static_cast<int>(std::max(
-                                   8.0, std::min(height, std::floor(fitted / aspect + 0.5))))};
-            // A picture narrower than its cell stands in the middle of it, and what is beside it
-            // may use the room there.
-            const double shift = std::floor(0.5 * (width - picture.width));
-            const double margin =
-                grid.columns.after[static_cast<std::size_t>(cell.column + cell.span - 1)];
-            Sheet sheet = buildPanel(contents_[i], picture, width - shift + margin, m_, theme_);
-            const Box& extent = sheet.extent();
-            grew |= grid.columns.need(cell.column, cell.span,
-                                      std::max(0.0, std::ceil(-extent.left - shift)),
-                                      std::max(0.0, std::ceil(extent.right + shift - width)));
-            grew |= grid.rows.need(cell.row, cell.span, std::max(0.0, std::ceil(-extent.top)),
-                                   std::max(0.0, std::ceil(extent.bottom - height)));
-            grid.pictures.push_back(picture);
-            grid.sheets.push_back(std::move(sheet));
-        }
-        return grew;
-    }
-
-    const std::vector<PanelContent>& contents_;
-    const Metrics& m_;
-    const Theme& theme_;
-    double width_;
-};
 
 int wishedColumns(const Plate& plate) {
     const int count = static_cast<int>(plate.panels.size());
@@ -270,7 +64,7 @@ class Composer {
             margin_ + std::floor(0.5 * std::max(0.0, inner - grid.columns.total()));
         const double gridTop = y;
         for (std::size_t i = 0; i < plate_.panels.size(); ++i) {
-            const Point at = cornerOf(grid, i);
+            const Point at = grid.cornerOf(i);
             page.add(grid.sheets[i], gridLeft + at.x, gridTop + at.y, plate_.panels[i].name + "/");
         }
         y = gridTop + grid.rows.total();
@@ -358,22 +152,14 @@ class Composer {
 
     // The widest grid whose pictures are not too small.
     Grid chooseGrid(double inner) const {
-        const GridSolver solver(contents_, m_, theme_, inner);
         const double page = std::clamp((options_.widthMillimetres - 89) / 89, 0.0, 1.0);
         const double least = (kLeastNarrow + page * (kLeastWide - kLeastNarrow)) * m_.millimetre;
         for (int columns = wishedColumns(plate_);; --columns) {
             int rows = 0;
             const std::vector<Cell> cells = placeCells(plate_.panels, columns, rows);
-            Grid grid = solver.solve(cells, columns, rows);
+            Grid grid = solveGrid(contents_, cells, columns, rows, inner, m_, theme_);
             if (columns == 1 || grid.pictureWidth >= least) return grid;
         }
-    }
-
-    static Point cornerOf(const Grid& grid, std::size_t i) {
-        const Cell& cell = grid.cells[i];
-        const double spare = grid.columns.inner(cell.column, cell.span) - grid.pictures[i].width;
-        return {grid.columns.start(cell.column) + std::floor(0.5 * spare),
-                grid.rows.start(cell.row)};
     }
 
     Status drawScenes(Canvas& canvas, const Grid& grid, double left, double top) const {
@@ -387,7 +173,7 @@ class Composer {
                 if (picture->size() != grid.pictures[i] || picture->channels() != 4)
                     return Status::usage("panel " + panel.name +
                                          ": the picture has another size than the one asked for");
-                const Point at = cornerOf(grid, i);
+                const Point at = grid.cornerOf(i);
                 canvas.picture(static_cast<int>(left + at.x), static_cast<int>(top + at.y),
                                *picture);
             }
