@@ -4,15 +4,20 @@
 # roots and selections become single instructions.
 add_library(versorium_flags INTERFACE)
 target_compile_options(versorium_flags INTERFACE
-    -Wall -Wextra -Wno-psabi -ffp-contract=off -fno-math-errno -fno-trapping-math
+    -Wall -Wextra -Wno-psabi -fno-math-errno -fno-trapping-math
     -fvisibility=hidden -fvisibility-inlines-hidden)
 # g++ 12 warns wrongly of overlapping copies where it inlines std::string.
 target_compile_options(versorium_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 if(EMSCRIPTEN)
     target_compile_options(versorium_flags INTERFACE -msimd128)
     target_link_options(versorium_flags INTERFACE -sALLOW_MEMORY_GROWTH=1 -sSTACK_SIZE=1048576)
-elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-    target_compile_options(versorium_flags INTERFACE -march=x86-64-v2)
+endif()
+
+# All code but the kernels (which choose for themselves): the baseline processor, no contraction.
+add_library(versorium_exact INTERFACE)
+target_compile_options(versorium_exact INTERFACE -ffp-contract=off)
+if(NOT EMSCRIPTEN AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    target_compile_options(versorium_exact INTERFACE -march=x86-64-v2)
 endif()
 if(VERSORIUM_THREADS)
     find_package(Threads REQUIRED)

@@ -16,7 +16,8 @@
 //   pow    3 + 2 |y ln x|   x > 0; pow(0, y) is 0, 1 or +inf; pow(x < 0, y) = NaN
 // min and max return their first argument when one of the two is NaN.
 
-#include <cmath>
+#include <array>
+#include <cstddef>
 #include <limits>
 
 #include "math/lanes.h"
@@ -129,11 +130,18 @@ R powerOfTwo(const R& rounded) {
     return fromBits<ScalarOf<R>>((whole + bitsConstant<R>(F::kBias)) << F::kMantissa);
 }
 
-// Σ coefficient(k) x^k for k = 0 … Terms-1, by Horner's rule.
+// Σ coefficient(k) x^k for k = 0 … Terms-1, by Horner's rule. The coefficients are made when the
+// program is compiled.
 template <int Terms, class R, class Coefficient>
-R horner(const R& x, Coefficient coefficient) {
-    R sum = constant<R>(coefficient(Terms - 1));
-    for (int k = Terms - 2; k >= 0; --k) sum = sum * x + constant<R>(coefficient(k));
+R horner(const R& x, Coefficient) {
+    static constexpr auto kTable = [] {
+        std::array<ScalarOf<R>, Terms> table{};
+        for (int k = 0; k < Terms; ++k) table[static_cast<std::size_t>(k)] = Coefficient{}(k);
+        return table;
+    }();
+    R sum = constant<R>(kTable[Terms - 1]);
+    for (int k = Terms - 2; k >= 0; --k)
+        sum = sum * x + constant<R>(kTable[static_cast<std::size_t>(k)]);
     return sum;
 }
 

@@ -264,6 +264,11 @@ struct LaneTraits<Lanes<T>> {
     using Scalar = T;
     static constexpr int kCount = Lanes<T>::kCount;
 };
+template <class T>
+struct LaneTraits<LanesMask<T>> {
+    using Scalar = bool;
+    static constexpr int kCount = Lanes<T>::kCount;
+};
 template <class X>
 struct LaneTraits<Pair<X>> {
     using Scalar = typename LaneTraits<X>::Scalar;

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Many orbits of one map at once, as the kernels take them: structures of arrays, all of `capacity`
+// numbers (a multiple of kBatchPadding), of which `count` are orbits.
+
+#include <cstdint>
+
+#include "maps/bound.h"
+
+namespace versorium {
+
+inline constexpr int kBatchPadding = 128;
+inline constexpr int kMostParameters = 64;
+inline constexpr int kMostDimension = 4;
+// A step count that says "not escaped": one more than the last iteration.
+
+// A parameter: one value for all orbits, or one for each.
+template <class T>
+struct Stream {
+    const T* values = nullptr;
+    bool varies = false;
+};
+
+template <class T>
+struct OrbitBatch {
+    int count = 0;
+    int capacity = 0;
+    // In: the starts. Out: z at escape, or after the last iteration.
+    T* state[kMostDimension] = {};
+    Stream<T> parameters[kMostParameters];
+    const BoundList* lists[kMostLists] = {};
+    const DistanceField* field = nullptr;
+    struct Override {
+        int list = 0, item = 0, component = 0;
+        Stream<T> stream;
+    };
+    Override overrides[kMostOverrides];
+    int overrideCount = 0;
+
+    // escape: the least n in 0 … iterations with !(|z_n|² <= squaredRadius), or iterations + 1.
+    T squaredRadius = 4;
+    int iterations = 100;
+    std::int32_t* steps = nullptr;
+    // Whether state is read after escape() for orbits that did not escape.
+    bool needLast = true;
+    // Whether orbits may be decided early where that changes no result.
+    bool shortcuts = true;
+    // Room for escape(): scratchSize numbers and 2 * capacity integers.
+    T* scratch = nullptr;
+    std::int32_t* scratchIndex = nullptr;
+
+    // advanceDual: derivatives along one direction, of the state and (the same for all orbits) of
+    // the parameters and overrides.
+    T* slope[kMostDimension] = {};
+    T parameterSlopes[kMostParameters] = {};
+    T overrideSlopes[kMostOverrides] = {};
+};
+
+// Rows of scratch: state and reference of the active orbits, state of those that are replayed, and
+// the streams of both.
+constexpr std::size_t scratchSize(int capacity, int streams) {
+    return static_cast<std::size_t>(capacity) *
+           static_cast<std::size_t>(3 * kMostDimension + 2 * streams);
+}
+
+// One map on one instruction set and in one flavour.
+template <class T>
+struct BatchRow {
+    void (*escape)(OrbitBatch<T>&);
+    void (*advance)(OrbitBatch<T>&);
+    void (*advanceDual)(OrbitBatch<T>&);
+};
+
+enum class Flavour { exact, fast };
+
+struct KernelTarget {
+    const char* name;  // "x86-64-v3", "simd128"
+    Flavour flavour;
+    bool (*available)();
+    const BatchRow<double>* doubles;  // in the catalogue's order
+    const BatchRow<float>* floats;
+};
+
+}  // namespace versorium

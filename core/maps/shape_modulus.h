@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Shape modulus (S eqs 1-3, with the errata): the direction of an inner map p with a modulus that
+// follows a distance field φ, negative inside the shape:
+//   f(q) = e^{α(φ(x) - β)} p(x)/|p(x)|,   x = q - shift.
+// φ is looked up at three of the four components of a quaternion; `drop` says which one is left out
+// (default 3: k). `as_printed` = 1 takes φ + β, as S eq 2 prints it. Where p is NaN, or |p| is 0 or
+// infinite, the direction is that of q itself; where that fails too, it is 1.
+
+#include "maps/apply.h"
+#include "maps/map_info.h"
+
+namespace versorium {
+
+namespace shape_modulus {
+
+// e^300 is beyond every escape radius and e^600, its squared norm, is still finite.
+inline constexpr double kLargestExponent = 300;
+
+inline constexpr ParameterInfo kOwn[] = {
+    {.name = "alpha", .value = {8}, .low = 0, .high = 100, .help = "thinness of the shell"},
+    {.name = "beta", .value = {0}, .low = -0.5, .high = 0.5, .help = "offset of the surface"},
+    {.name = "as_printed",
+     .kind = ParameterKind::whole,
+     .value = {0},
+     .low = 0,
+     .high = 1,
+     .help = "1: the sign of beta as S eq 2 prints it"}};
+
+// The map's own parameters; only quaternions have a component to leave out.
+template <class R, class State>
+struct Controls {
+    static constexpr bool kDrops = State::kDimension == 4;
+    R alpha, beta, asPrinted;
+    State shift;
+    R drop;
+};
+
+template <class R>
+R lookUp(const Field<R>& field, const Complex<R>& x, const R&) {
+    return field.at(x.re, x.im, R(0.0));
+}
+template <class R>
+R lookUp(const Field<R>& field, const Quaternion<R>& x, const R& drop) {
+    const R first = select(drop == R(0.0), x.x, x.w);
+    const R second = select(drop <= R(1.0), x.y, x.x);
+    const R third = select(drop <= R(2.0), x.z, x.y);
+    return field.at(first, second, third);
+}
+
+template <class M>
+constexpr std::size_t innerCount() {
+    return std::size(M::kParameters);
+}
+template <class M>
+constexpr auto joinedParameters() {
+    constexpr bool quaternion = M::info.algebra == Algebra::quaternion;
+    std::array<ParameterInfo, 4 + (quaternion ? 1 : 0) + innerCount<M>()> all{};
+    std::size_t next = 0;
+    for (const ParameterInfo& own : kOwn) all[next++] = own;
+    all[next++] = {.name = "shift",
+                   .kind = quaternion ? ParameterKind::quaternion : ParameterKind::complex,
+                   .low = -1,
+                   .high = 1,
+                   .help = "moves the shape and the inner map against the origin"};
+    if (quaternion)
+        all[next++] = {.name = "drop",
+                       .kind = ParameterKind::whole,
+                       .value = {3},
+                       .low = 0,
+                       .high = 3,
+                       .help = "component that the shape does not see: 0 w … 3 z"};
+    for (const ParameterInfo& inner : M::kParameters) all[next++] = inner;
+    return all;
+}
+
+// "shape-modulus" around the quaternion rational map, "shape-modulus-NAME" around others.
+template <class M>
+struct Name {
+    static constexpr auto kText = [] {
+        std::array<char, 64> text{};
+        std::size_t at = 0;
+        for (char c : std::string_view("shape-modulus")) text[at++] = c;
+        if (M::info.name != "quaternion-rational") {
+            text[at++] = '-';
+            for (char c : M::info.name) text[at++] = c;
+        }
+        return text;
+    }();
+    static constexpr std::string_view kView{kText.data()};
+};
+
+}  // namespace shape_modulus
+
+template <class R, class State>
+struct Layout<shape_modulus::Controls<R, State>> {
+    using Controls = shape_modulus::Controls<R, State>;
+    static constexpr int kWidth = 3 + State::kDimension + (Controls::kDrops ? 1 : 0);
+    static Controls load(const R* from) {
+        return {from[0], from[1], from[2], Layout<State>::load(from + 3),
+                Controls::kDrops ? from[kWidth - 1] : R(3.0)};
+    }
+};
+
+// `Inner` is any complex or quaternion map of the catalogue.
+template <class Inner>
+struct ShapeModulus {
+    static constexpr auto kParameters = shape_modulus::joinedParameters<Inner>();
+    static constexpr MapInfo info{
+        .name = shape_modulus::Name<Inner>::kView,
+        .title = Inner::info.algebra == Algebra::complex ? "Shape modulus over the complex numbers"
+                                                         : "Shape modulus over the quaternions",
+        .formula = Inner::info.algebra == Algebra::complex
+                       ? "e^(alpha (phi(z) - beta)) p(z)/|p(z)|"
+                       : "e^(alpha (phi(q) - beta)) p(q)/|p(q)|",
+        .algebra = Inner::info.algebra,
+        .parameters = kParameters,
+        .lists = Inner::info.lists,
+        .field = true,
+        .escapeRadius = 20,
+        .homeHeight = 1.2,
+        .source = "S eqs 2-3"};
+    static constexpr int kRegisters = 1;
+
+    template <class R>
+    using InnerArguments = Bundle<R, ArgumentsOf<Inner, R>>;
+
+    template <class R>
+    static StateOf<Inner, R> step(StateOf<Inner, R> q,
+                                  shape_modulus::Controls<R, StateOf<Inner, R>> controls,
+                                  Field<R> field, InnerArguments<R> inner) {
+        using State = StateOf<Inner, R>;
+        const State x = q - controls.shift;
+        const R phi = shape_modulus::lookUp(field, x, controls.drop);
+        const R beta = controls.beta;
+        const R offset = select(controls.asPrinted == R(0.0), beta, -beta);
+        const R largest(shape_modulus::kLargestExponent);
+        const R exponent = min(max(controls.alpha * (phi - offset), -largest), largest);
+        const State p = direction<R>(x, inner);
+        // A squared norm of p that is 0, infinite or NaN leaves no direction.
+        const R square = squaredNorm(p);
+        const auto good = (square > R(0.0)) & (square < R(kNoEscape));
+        const State chosen = select(good, p, q);
+        const R chosenSquare = select(good, square, squaredNorm(q));
+        const auto usable = (chosenSquare > R(0.0)) & (chosenSquare < R(kNoEscape));
+        const R scale = exp(exponent) / sqrt(select(usable, chosenSquare, R(1.0)));
+        return scale * select(usable, chosen, powers::unit(q));
+    }
+
+  private:
+    template <class R>
+    static StateOf<Inner, R> direction(const StateOf<Inner, R>& x, const InnerArguments<R>& inner) {
+        return std::apply(
+            [&](const auto&... as) {
+                if constexpr (requires { Inner::template direction<R>(x, as...); })
+                    return Inner::template direction<R>(x, as...);
+                else
+                    return Inner::template step<R>(x, as...);
+            },
+            inner.all);
+    }
+};
+
+}  // namespace versorium

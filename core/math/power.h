@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Powers of complex numbers and quaternions with a real exponent (Q section 3):
+//   z^e = |z|^e (cos eθ + v̂ sin eθ),  θ = atan2(|v|, w),  v̂ = v / |v| (0 where v = 0)
+// on the principal branch. A whole exponent up to ±256 is done by repeated squaring instead, which
+// needs no transcendental function and has no seam. Each lane decides for itself, so that lanes and
+// scalars agree.
+
+#include "math/complex.h"
+#include "math/dual.h"
+#include "math/quaternion.h"
+
+namespace versorium {
+
+inline constexpr double kLargestWholePower = 256;
+
+namespace powers {
+
+// base^exponent for whole exponents >= 1 lane by lane; lanes with exponent 0 give `one`.
+template <class Z, class P>
+Z wholePower(Z base, P left, const Z& one) {
+    Z result = one;
+    auto untouched = left == left;
+    while (true) {
+        const P half = floor(left * P(0.5));
+        const auto odd = (left - (half + half)) != P(0.0);
+        result = select(odd, select(untouched, base, result * base), result);
+        untouched = untouched & !odd;
+        left = half;
+        if (!any(left > P(0.0))) return result;
+        base = square(base);
+    }
+}
+
+template <class R>
+Complex<R> unit(const Complex<R>&) {
+    return {R(1.0), R(0.0)};
+}
+template <class R>
+Quaternion<R> unit(const Quaternion<R>&) {
+    return {R(1.0), R(0.0), R(0.0), R(0.0)};
+}
+template <class R>
+Complex<R> polarPower(const Complex<R>& z, const R& e) {
+    const R modulus = pow(sqrt(squaredNorm(z)), e);
+    const R angle = e * argument(z);
+    return {modulus * cos(angle), modulus * sin(angle)};
+}
+template <class R>
+Quaternion<R> polarPower(const Quaternion<R>& q, const R& e) {
+    const R modulus = pow(sqrt(squaredNorm(q)), e);
+    const R length = sqrt(q.x * q.x + q.y * q.y + q.z * q.z);
+    const R angle = e * atan2(length, q.w);
+    const R scale = modulus * select(length == R(0.0), R(0.0), sin(angle) / length);
+    return {modulus * cos(angle), scale * q.x, scale * q.y, scale * q.z};
+}
+
+template <class Z, class R>
+Z anyPower(const Z& z, const R& exponent) {
+    const auto e = plainValue(exponent);
+    using P = std::remove_cvref_t<decltype(e)>;
+    const P size = abs(e);
+    const auto whole = (floor(size) == size) & (size <= P(kLargestWholePower));
+    const auto polar = !whole;
+    if (!any(whole)) return polarPower(z, exponent);
+    const Z raised = wholePower(z, select(whole, size, P(1.0)), unit(z));
+    const auto negative = whole & (e < P(0.0));
+    const Z result = any(negative) ? select(negative, inverse(raised), raised) : raised;
+    return any(polar) ? select(polar, polarPower(z, exponent), result) : result;
+}
+
+}  // namespace powers
+
+template <class R>
+Complex<R> power(const Complex<R>& z, const R& exponent) {
+    return powers::anyPower(z, exponent);
+}
+template <class R>
+Quaternion<R> power(const Quaternion<R>& q, const R& exponent) {
+    return powers::anyPower(q, exponent);
+}
+
+}  // namespace versorium

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A plate is a figure for print or projection: a grid of lettered panels with axes, colour bars and
+// keys, a title, a caption and a last line in small type. A panel shows a scene, which this room
+// knows only as JSON and has drawn by a PanelSource, or a line plot. The whole layout follows from
+// measured text: nothing overlaps and nothing is clipped, at any width and resolution, and no
+// letter is smaller than 6 pt.
+//
+// Texts are markup (plate/markup.h). {name} in a title or caption is replaced by a fact of the
+// panels: {alpha} by that of the first panel that has it, {b.alpha} by that of panel b; in a
+// panel's own title by its own fact.
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/json.h"
+#include "colour/palette.h"
+#include "colour/scale.h"
+#include "image/raster.h"
+#include "plate/font.h"
+
+namespace versorium {
+
+struct PlotLine {
+    std::string name;            // markup, for the legend; may be empty
+    std::string style = "line";  // "line", "points" or "both"
+    std::vector<double> x, y;    // as many of one as of the other, finite
+    friend bool operator==(const PlotLine&, const PlotLine&) = default;
+};
+
+struct PlotAxis {
+    std::string name;                 // markup
+    std::string scale = "linear";     // "linear" or "log"
+    std::optional<double> low, high;  // else from the data
+    friend bool operator==(const PlotAxis&, const PlotAxis&) = default;
+};
+
+struct LinePlot {
+    double aspect = 1.5;  // width / height
+    PlotAxis x, y;
+    std::vector<PlotLine> lines;
+    friend bool operator==(const LinePlot&, const LinePlot&) = default;
+};
+
+enum class PanelKind { scene, plot };
+
+struct PlatePanel {
+    std::string name;   // a letter or a word: how --set and facts reach it; by default a, b, c …
+    std::string title;  // markup
+    PanelKind kind = PanelKind::scene;
+    int span = 1;  // columns and rows that it covers
+    bool axes = true;
+    bool keys = true;  // colour bar, versor key, legend
+    // What replaces the names that the scene gives; empty: the scene's own.
+    std::string xLabel, yLabel, barLabel;
+    Json scene = Json::object();
+    LinePlot plot;
+    friend bool operator==(const PlatePanel&, const PlatePanel&) = default;
+};
+
+struct Plate {
+    static constexpr int kVersion = 1;
+    static constexpr std::size_t kPanelLimit = 26;
+    static constexpr std::size_t kPointLimit = 100000;  // of all lines of one panel
+
+    std::string title, caption, note;
+    int columns = 0;  // 0: by the number of panels
+    std::vector<PlatePanel> panels;
+    friend bool operator==(const Plate&, const Plate&) = default;
+};
+
+// Strict: ErrorKind::data with the path to the fault. Every default is written out again.
+Expected<Plate> plateFromJson(const Json& value);
+Json plateToJson(const Plate& plate);
+
+// What a scene says about its picture before it is drawn.
+struct AxisInfo {
+    std::string name;  // markup, such as "Re c"
+    double low = 0, high = 1;
+};
+struct ColourBar {
+    std::string name;  // markup: the quantity
+    Scale scale;
+    Palette palette;
+};
+struct LegendEntry {
+    Colour colour;
+    std::string text;  // markup
+};
+struct PanelInfo {
+    double aspect = 1;             // width / height of the picture, as its axes ask for
+    std::optional<AxisInfo> x, y;  // none: a picture in perspective
+    std::optional<ColourBar> bar;
+    bool versorKey = false;  // red, green, blue are the parts i, j, k from -1 to 1
+    std::vector<LegendEntry> legend;
+    std::string description;                   // a sentence for the alternative text
+    std::map<std::string, std::string> facts;  // markup, for captions: {"alpha": "6"}
+};
+
+// How scenes become pictures; the renderer's side of the seam.
+struct PanelSource {
+    // Checks the scene and says all of the above, ranges of colour bars included.
+    std::function<Expected<PanelInfo>(const Json& scene)> describe;
+    // Linear straight-alpha RGBA of exactly this size, row 0 on top. Outlines are to be
+    // lineWidth pixels wide.
+    std::function<Expected<Raster<float>>(const Json& scene, Size pixels, double lineWidth)> draw;
+};
+
+struct PlateOptions {
+    double widthMillimetres = 178;  // 40 … 2000
+    double dotsPerInch = 300;       // 50 … 2400
+    std::string theme = "paper";    // or "slide"
+    bool title = true;
+    bool caption = true;  // caption and note
+    // Called with the number of panels drawn so far, and of all.
+    std::function<void(int done, int all)> onPanel;
+};
+
+// Something that takes room: a text or a picture.
+struct PlateBox {
+    std::string name;      // "title", "b/x tick 3", "b/picture"
+    Box box;               // pixels touched
+    double pointSize = 0;  // of its smallest letter; 0 for what is not a text
+};
+
+struct PlatePicture {
+    Raster<unsigned char> pixels;  // sRGB, 3 channels
+    double dotsPerInch = 300;
+    std::string captionText;      // plain text
+    std::string alternativeText;  // plain text
+    std::vector<PlateBox> boxes;  // for checks: pairwise disjoint, all within the picture
+};
+
+// No more pixels than this in a plate.
+inline constexpr double kPlatePixelLimit = 67108864;
+
+// ErrorKind::usage for options and facts that make no sense; what the source reports, with the
+// panel's name in front.
+Expected<PlatePicture> layoutPlate(const Plate& plate, const PlateOptions& options,
+                                   const PanelSource& source);
+
+}  // namespace versorium

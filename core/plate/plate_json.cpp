@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include "plate/markup.h"
+#include "plate/plate.h"
+
+namespace versorium {
+namespace {
+
+constexpr double kAnyNumber = 1e300;
+
+// A text whose markup is right.
+void readMarkup(ObjectReader& reader, const char* key, std::string& text) {
+    reader.text(key, text);
+    if (const Status status = checkMarkup(text); !status.ok()) reader.fail(key, status.message());
+}
+
+void readOptional(ObjectReader& reader, const char* key, std::optional<double>& value) {
+    if (!reader.has(key)) return;
+    if (reader.child(key)->is_null()) {
+        value.reset();
+        return;
+    }
+    double number = 0;
+    reader.number(key, number, -kAnyNumber, kAnyNumber);
+    value = number;
+}
+
+Status readAxis(const Json& value, const std::string& path, PlotAxis& axis) {
+    ObjectReader reader(value, path);
+    readMarkup(reader, "name", axis.name);
+    reader.word("scale", axis.scale, {"linear", "log"});
+    readOptional(reader, "low", axis.low);
+    readOptional(reader, "high", axis.high);
+    if (axis.low && axis.high && !(*axis.low < *axis.high))
+        reader.fail("high", "it must be above \"low\"");
+    if (axis.scale == "log" && ((axis.low && *axis.low <= 0) || (axis.high && *axis.high <= 0)))
+        reader.fail("low", "a logarithmic axis needs ends above 0");
+    return reader.finish();
+}
+
+Status readLine(const Json& value, const std::string& path, PlotLine& line) {
+    ObjectReader reader(value, path);
+    readMarkup(reader, "name", line.name);
+    reader.word("style", line.style, {"line", "points", "both"});
+    reader.numbers("x", line.x, 0, Plate::kPointLimit);
+    reader.numbers("y", line.y, 0, Plate::kPointLimit);
+    if (line.x.size() != line.y.size())
+        reader.fail("y", std::to_string(line.y.size()) + " values for " +
+                             std::to_string(line.x.size()) + " in \"x\"");
+    for (const auto* list : {&line.x, &line.y})
+        for (const double number : *list)
+            if (!(std::abs(number) <= kAnyNumber)) reader.fail("a number is too large");
+    return reader.finish();
+}
+
+Status readPlot(const Json& value, const std::string& path, LinePlot& plot) {
+    ObjectReader reader(value, path);
+    reader.number("aspect", plot.aspect, 0.2, 8);
+    if (const Json* axis = reader.child("x")) reader.fail(readAxis(*axis, path + ".x", plot.x));
+    if (const Json* axis = reader.child("y")) reader.fail(readAxis(*axis, path + ".y", plot.y));
+    if (const Json* lines = reader.child("lines")) {
+        if (!lines->is_array() || lines->size() > 64)
+            reader.fail("lines", "a list of at most 64 lines is expected");
+        std::size_t points = 0;
+        for (std::size_t i = 0; i < lines->size() && !reader.failed(); ++i) {
+            plot.lines.emplace_back();
+            reader.fail(readLine((*lines)[i], path + ".lines[" + std::to_string(i) + "]",
+                                 plot.lines.back()));
+            points += plot.lines.back().x.size();
+        }
+        if (points > Plate::kPointLimit) reader.fail("lines", "too many points in all");
+    }
+    return reader.finish();
+}
+
+bool goodName(const std::string& name) {
+    if (name.empty() || name.size() > 20) return false;
+    for (const char c : name)
+        if (!((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+              c == '-'))
+            return false;
+    return true;
+}
+
+Status readPanel(const Json& value, const std::string& path, PlatePanel& panel) {
+    ObjectReader reader(value, path);
+    std::string kind = "scene";
+    reader.text("name", panel.name).word("kind", kind, {"scene", "plot"});
+    panel.kind = kind == "plot" ? PanelKind::plot : PanelKind::scene;
+    reader.integer("span", panel.span, 1, 6);
+    reader.boolean("axes", panel.axes).boolean("keys", panel.keys);
+    readMarkup(reader, "title", panel.title);
+    readMarkup(reader, "x_label", panel.xLabel);
+    readMarkup(reader, "y_label", panel.yLabel);
+    readMarkup(reader, "bar_label", panel.barLabel);
+    if (!goodName(panel.name)) reader.fail("name", "1 to 20 letters, digits or - are expected");
+    if (const Json* scene = reader.child("scene")) {
+        if (panel.kind == PanelKind::plot) reader.fail("scene", "a plot has no scene");
+        panel.scene = *scene;
+    } else if (panel.kind == PanelKind::scene) {
+        reader.fail("scene", "the scene is missing");
+    }
+    if (const Json* plot = reader.child("plot")) {
+        if (panel.kind == PanelKind::scene)
+            reader.fail("plot", "only a panel of kind \"plot\" has one");
+        reader.fail(readPlot(*plot, reader.pathOf("plot"), panel.plot));
+    }
+    return reader.finish();
+}
+
+Json optionalJson(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+Json axisToJson(const PlotAxis& axis) {
+    Json value;
+    value["name"] = axis.name;
+    value["scale"] = axis.scale;
+    value["low"] = optionalJson(axis.low);
+    value["high"] = optionalJson(axis.high);
+    return value;
+}
+
+Json plotToJson(const LinePlot& plot) {
+    Json value;
+    value["aspect"] = plot.aspect;
+    value["x"] = axisToJson(plot.x);
+    value["y"] = axisToJson(plot.y);
+    Json lines = Json::array();
+    for (const PlotLine& line : plot.lines) {
+        Json item;
+        item["name"] = line.name;
+        item["style"] = line.style;
+        item["x"] = line.x;
+        item["y"] = line.y;
+        lines.push_back(std::move(item));
+    }
+    value["lines"] = std::move(lines);
+    return value;
+}
+
+Json panelToJson(const PlatePanel& panel) {
+    Json value;
+    value["name"] = panel.name;
+    value["title"] = panel.title;
+    value["kind"] = panel.kind == PanelKind::plot ? "plot" : "scene";
+    value["span"] = panel.span;
+    value["axes"] = panel.axes;
+    value["keys"] = panel.keys;
+    value["x_label"] = panel.xLabel;
+    value["y_label"] = panel.yLabel;
+    value["bar_label"] = panel.barLabel;
+    if (panel.kind == PanelKind::plot)
+        value["plot"] = plotToJson(panel.plot);
+    else
+        value["scene"] = panel.scene;
+    return value;
+}
+
+}  // namespace
+
+Expected<Plate> plateFromJson(const Json& value) {
+    Plate plate;
+    ObjectReader reader(value, "");
+    int version = Plate::kVersion;
+    reader.integer("version", version, 1, 1000000);
+    if (version > Plate::kVersion)
+        return Status::data("version: this plate needs a newer program: it is version " +
+                            std::to_string(version) + ", known here is " +
+                            std::to_string(Plate::kVersion));
+    readMarkup(reader, "title", plate.title);
+    readMarkup(reader, "caption", plate.caption);
+    readMarkup(reader, "note", plate.note);
+    reader.integer("columns", plate.columns, 0, 6);
+    const Json* panels = reader.child("panels");
+    if (!panels || !panels->is_array() || panels->empty() || panels->size() > Plate::kPanelLimit) {
+        reader.fail("panels",
+                    "a list of 1 to " + std::to_string(Plate::kPanelLimit) + " panels is expected");
+        return reader.finish();
+    }
+    for (std::size_t i = 0; i < panels->size() && !reader.failed(); ++i) {
+        PlatePanel panel;
+        panel.name = static_cast<char>('a' + i);
+        const std::string path = "panels[" + std::to_string(i) + "]";
+        reader.fail(readPanel((*panels)[i], path, panel));
+        for (const PlatePanel& other : plate.panels)
+            if (other.name == panel.name)
+                reader.fail(Status::data(path + ".name: \"" + panel.name + "\" is taken"));
+        plate.panels.push_back(std::move(panel));
+    }
+    if (Status status = reader.finish(); !status.ok()) return status;
+    return plate;
+}
+
+Json plateToJson(const Plate& plate) {
+    Json value;
+    value["version"] = Plate::kVersion;
+    value["title"] = plate.title;
+    value["caption"] = plate.caption;
+    value["note"] = plate.note;
+    value["columns"] = plate.columns;
+    Json panels = Json::array();
+    for (const PlatePanel& panel : plate.panels) panels.push_back(panelToJson(panel));
+    value["panels"] = std::move(panels);
+    return value;
+}
+
+}  // namespace versorium
