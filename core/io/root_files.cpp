@@ -98,16 +98,23 @@ Expected<RootList> readRootsBinary(std::span<const unsigned char> bytes) {
     if (count > kRootCount)
         return Status::data("the root file has " + std::to_string(count) + " roots; at most " +
                             std::to_string(kRootCount) + " are read");
-    for (const char* name : {"coefficients", "first derivatives", "second derivatives"}) {
-        const Expected<std::size_t> skipped = readCount(reader, name, 32);
-        if (!skipped) return skipped.status();
-        reader.skip(*skipped * 32);
+    struct Block {
+        const char* name;
+        std::size_t count;
+    };
+    const Block blocks[] = {{"coefficients", count + 1},
+                            {"first derivatives", count},
+                            {"second derivatives", count - 1},
+                            {"roots", count}};
+    for (const Block& block : blocks) {
+        const Expected<std::size_t> found = readCount(reader, block.name, 32);
+        if (!found) return found.status();
+        if (*found != block.count)
+            return Status::data("the root file claims " + std::to_string(count) +
+                                " roots, but lists " + std::to_string(*found) + " " + block.name +
+                                " instead of " + std::to_string(block.count));
+        if (&block != &blocks[3]) reader.skip(*found * 32);
     }
-    const Expected<std::size_t> roots = readCount(reader, "roots", 32);
-    if (!roots) return roots.status();
-    if (*roots != count)
-        return Status::data("the root file claims " + std::to_string(count) + " roots, but lists " +
-                            std::to_string(*roots));
     RootList list;
     list.roots.resize(count);
     for (RootList::Root& root : list.roots)
