@@ -45,7 +45,7 @@ struct OrbitBatch {
     bool needLast = true;
     // Whether orbits may be decided early where that changes no result.
     bool shortcuts = true;
-    // Room for escape(): scratchSize numbers and 2 * capacity integers.
+    // Room for escape(): scratchSize numbers and 4 * capacity integers.
     T* scratch = nullptr;
     std::int32_t* scratchIndex = nullptr;
 
@@ -56,11 +56,10 @@ struct OrbitBatch {
     T overrideSlopes[kMostOverrides] = {};
 };
 
-// Rows of scratch: state and reference of the active orbits, state of those that are replayed, and
-// the streams of both.
+// Rows of scratch: states of three groups of orbits with their streams, and the references.
 constexpr std::size_t scratchSize(int capacity, int streams) {
     return static_cast<std::size_t>(capacity) *
-           static_cast<std::size_t>(3 * kMostDimension + 2 * streams);
+           static_cast<std::size_t>(4 * kMostDimension + 3 * streams);
 }
 
 // One map on one instruction set and in one flavour.

@@ -153,13 +153,34 @@ Lanes<I> operator>>(Lanes<I> a, int count) {
     return typename Lanes<I>::Register(a.v >> count);
 }
 
+// One bit for each lane, the first lane lowest.
+template <class T>
+std::uint64_t maskBits(LanesMask<T> mask) {
+#if defined(__AVX512DQ__)
+    if constexpr (sizeof(T) == 8)
+        return static_cast<std::uint8_t>(
+            __builtin_ia32_cvtq2mask512(
+            (long long __attribute__((vector_size(64))))mask.v));
+    else
+        return static_cast<std::uint16_t>(__builtin_ia32_cvtd2mask512(
+            (int __attribute__((vector_size(64))))mask.v));
+#elif defined(__AVX2__)
+    if constexpr (sizeof(T) == 8)
+        return static_cast<std::uint64_t>(
+            __builtin_ia32_movmskpd256((typename RegisterOf<double>::type)mask.v));
+    else
+        return static_cast<std::uint64_t>(
+            __builtin_ia32_movmskps256((typename RegisterOf<float>::type)mask.v));
+#else
+    std::uint64_t bits = 0;
+    for (int i = 0; i < Lanes<T>::kCount; ++i)
+        bits |= static_cast<std::uint64_t>(mask.v[i] & 1) << i;
+    return bits;
+#endif
+}
 template <class T>
 bool any(LanesMask<T> mask) {
-    std::int64_t words[VERSORIUM_LANE_BYTES / 8];
-    std::memcpy(words, &mask.v, sizeof words);
-    std::int64_t all = 0;
-    for (std::int64_t word : words) all |= word;
-    return all != 0;
+    return maskBits(mask) != 0;
 }
 
 template <class T>
@@ -278,6 +299,13 @@ template <class R>
 using ScalarOf = typename LaneTraits<R>::Scalar;
 template <class R>
 inline constexpr int kLaneCount = LaneTraits<R>::kCount;
+
+// At most 64 lanes.
+template <class X>
+std::uint64_t maskBits(const Pair<X>& mask) {
+    static_assert(2 * kLaneCount<X> <= 64);
+    return maskBits(mask.low) | (maskBits(mask.high) << kLaneCount<X>);
+}
 
 template <class X>
 auto lane(const Pair<X>& a, int index) {

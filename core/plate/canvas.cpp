@@ -9,16 +9,43 @@ namespace {
 
 double cut(double x) { return x > 0 ? (x < 1 ? x : 1.0) : 0.0; }
 
-// The part of a pixel-wide box around distance d that lies in the half-line below `edge`.
-double below(double edge, double d) { return cut(edge - d + 0.5); }
-
-double distanceToSegment(Point p, Point a, Point b) {
-    const double dx = b.x - a.x, dy = b.y - a.y;
-    const double length2 = dx * dx + dy * dy;
-    const double t = length2 > 0 ? cut(((p.x - a.x) * dx + (p.y - a.y) * dy) / length2) : 0;
-    const double ex = p.x - a.x - t * dx, ey = p.y - a.y - t * dy;
-    return std::sqrt(ex * ex + ey * ey);
+// The part of a unit square that lies on the inner side of a straight edge. The edge's outward
+// normal is (nx, ny), and the square's centre lies `inside` pixels within it. Seen along the normal
+// a square is a trapezium, whose integral this is.
+double coveredBy(double inside, double nx, double ny) {
+    const double wide = std::max(std::abs(nx), std::abs(ny));
+    const double narrow = std::min(std::abs(nx), std::abs(ny));
+    const double flat = 0.5 * (wide - narrow), end = 0.5 * (wide + narrow);
+    const double t = std::abs(inside);
+    double half = 0.5;  // what lies between the edge through the centre and this one
+    if (t <= flat)
+        half = t / wide;
+    else if (t < end)
+        half = 0.5 - (end - t) * (end - t) / (2 * wide * narrow);
+    return inside < 0 ? 0.5 - half : 0.5 + half;
 }
+
+struct Segment {
+    Point a, b;
+    // The part of the pixel around p that a stroke of this half width with round ends covers.
+    double covers(Point p, double halfWidth) const {
+        const double dx = b.x - a.x, dy = b.y - a.y;
+        const double length2 = dx * dx + dy * dy;
+        const double t = length2 > 0 ? cut(((p.x - a.x) * dx + (p.y - a.y) * dy) / length2) : 0;
+        double nx = p.x - a.x - t * dx, ny = p.y - a.y - t * dy;
+        const double d = std::sqrt(nx * nx + ny * ny);
+        if (d > halfWidth + 1) return 0;
+        if (d > 1e-6) {
+            nx /= d;
+            ny /= d;
+        } else {
+            const double length = std::sqrt(length2);
+            nx = length > 0 ? -dy / length : 1;
+            ny = length > 0 ? dx / length : 0;
+        }
+        return coveredBy(halfWidth - d, nx, ny) - coveredBy(-halfWidth - d, nx, ny);
+    }
+};
 
 // Cuts a polyline into the parts that are drawn.
 std::vector<std::vector<Point>> dashed(const std::vector<Point>& points,
@@ -95,8 +122,7 @@ class StrokeMask {
         for (int j = first; j <= last; ++j) {
             const double other = offset + j + 0.5;
             const Point p = steep ? Point{other, along} : Point{along, other};
-            const double d = distanceToSegment(p, a, b);
-            const double coverage = below(half_, d) - below(-half_, d);
+            const double coverage = Segment{a, b}.covers(p, half_);
             float& value = steep ? mask_.at(j, i) : mask_.at(i, j);
             value = std::max(value, static_cast<float>(coverage));
         }
@@ -178,10 +204,8 @@ void Canvas::polyline(const std::vector<Point>& points, double width, const Colo
 
 void Canvas::disc(Point centre, double radius, const Colour& colour) {
     const Box box = Box{centre.x, centre.y, centre.x, centre.y}.grown(radius + 1);
-    cover(box, colour, [&](int x, int y) {
-        const double dx = x + 0.5 - centre.x, dy = y + 0.5 - centre.y;
-        return below(radius, std::sqrt(dx * dx + dy * dy));
-    });
+    const Segment point{centre, centre};
+    cover(box, colour, [&](int x, int y) { return point.covers({x + 0.5, y + 0.5}, radius); });
 }
 
 void Canvas::polygon(const std::vector<Point>& corners, const Colour& colour) {
@@ -194,15 +218,16 @@ void Canvas::polygon(const std::vector<Point>& corners, const Colour& colour) {
     }
     const double side = area < 0 ? -1 : 1;
     cover(box, colour, [&](int x, int y) {
-        double outside = -1e300;  // the greatest signed distance to an edge's line
+        // Of a pixel at a corner, each edge cuts off its part.
+        double coverage = 1;
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const Point p = corners[i], q = corners[(i + 1) % corners.size()];
             const double dx = q.x - p.x, dy = q.y - p.y, length = std::sqrt(dx * dx + dy * dy);
             if (length == 0) continue;
             const double cross = dx * (y + 0.5 - p.y) - dy * (x + 0.5 - p.x);
-            outside = std::max(outside, -side * cross / length);
+            coverage -= 1 - coveredBy(side * cross / length, dy / length, dx / length);
         }
-        return below(0, outside);
+        return coverage;
     });
 }
 

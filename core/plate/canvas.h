@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// An opaque sheet of linear-light pixels. Shapes are antialiased by the area they cover (lines by
-// the area under a box of one pixel across them) and composited in linear light. Coordinates are
+// An opaque sheet of linear-light pixels. Shapes are antialiased by the area that a straight edge
+// covers of each pixel, and composited in linear light. Coordinates are
 // pixels, y down, (0, 0) the upper left corner of the sheet; a pixel's centre is at +0.5.
 
 #include <vector>

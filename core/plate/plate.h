@@ -110,13 +110,13 @@ struct PanelSource {
 };
 
 struct PlateOptions {
-    double widthMillimetres = 178;  // 40 … 2000
+    double widthMillimetres = 178;  // 60 … 2000
     double dotsPerInch = 300;       // 50 … 2400
     std::string theme = "paper";    // or "slide"
     bool title = true;
     bool caption = true;  // caption and note
     // Called with the number of panels drawn so far, and of all.
-    std::function<void(int done, int all)> onPanel;
+    std::function<void(int done, int all)> onPanel = {};
 };
 
 // Something that takes room: a text or a picture.

@@ -99,10 +99,18 @@ class Breaker {
                 ++i;
                 continue;
             }
-            std::size_t end = unitEnd(i);
-            if (measure(i, end) > width_) end = wordEnd(i);
-            add(i, end);
-            i = end;
+            const std::size_t end = unitEnd(i);
+            if (measure(i, end) <= width_) {
+                add(i, end);
+                i = end;
+            }
+            // A formula wider than the line breaks before its signs.
+            while (i < end) {
+                std::size_t part = wordEnd(i);
+                if (part < end && binds(slice(i, part))) part = wordEnd(nextWord(part));
+                add(i, part);
+                i = nextWord(part);
+            }
         }
         finishLine();
         return std::move(lines_);
@@ -196,10 +204,13 @@ TextBlock layoutText(std::string_view text, const TextStyle& style, double maxim
     const Markup markup = parsed.ok() ? *std::move(parsed) : asItStands(text);
     TextBlock block;
     double lastDescent = 0;
+    std::vector<std::pair<std::size_t, double>> lineWidths;  // number of glyphs, width
     block.smallest = style.size;
     for (const Items line : Breaker(markup, style, maximalWidth).lines()) {
         std::vector<PlacedGlyph> glyphs;
-        block.width = std::max(block.width, Setter(style, glyphs).set(line, style.size, 0, 0));
+        lineWidths.emplace_back(0, Setter(style, glyphs).set(line, style.size, 0, 0));
+        lineWidths.back().first = glyphs.size();
+        block.width = std::max(block.width, lineWidths.back().second);
         const Box ink = inkOfGlyphs(glyphs);
         const double ascent = std::max(kAscent * style.size, -ink.top);
         const double baseline =
@@ -218,6 +229,10 @@ TextBlock layoutText(std::string_view text, const TextStyle& style, double maxim
         if (block.lines == 0) block.baseline = baseline;
         ++block.lines;
     }
+    std::size_t next = 0;
+    for (const auto& [count, width] : lineWidths)
+        for (std::size_t k = 0; k < count; ++k, ++next)
+            if (style.centred) block.glyphs[next].x += 0.5 * (block.width - width);
     block.ink = inkOfGlyphs(block.glyphs);
     return block;
 }

@@ -18,6 +18,7 @@ struct TextStyle {
     double size = 12;          // pixels per em
     double smallest = 0;       // scripts are never smaller than this, in pixels per em
     double lineSpacing = 1.3;  // distance of baselines in ems, more where a line is tall
+    bool centred = false;      // lines of a block in the middle, else on the left
 };
 
 struct PlacedGlyph {

@@ -47,7 +47,7 @@ Metrics metricsFor(double widthMillimetres, double dotsPerInch) {
     m.note = type(6, 6.2);
     m.margin = type(5, 9);
     m.columnGap = type(6, 11);
-    m.rowGap = type(7, 11);
+    m.rowGap = type(10, 13);
     m.lineWidth = std::max(1.0, std::floor(0.5 * m.point * enlarge + 0.5));
     m.plotLine = 1.1 * m.point * enlarge;
     m.tickLength = std::floor(type(2.2, 2.8) + 0.5);

@@ -54,7 +54,7 @@ std::string decimal(std::int64_t n, int k) {
 }
 
 struct Step {
-    int mantissa = 1;  // 1, 2 or 5
+    int mantissa = 1;  // 1, 2 or 5, or 4
     int exponent = 0;
     double size() const { return mantissa * tenTo(exponent); }
 };
@@ -77,6 +77,22 @@ Step chooseStep(double low, double high, int most) {
                : step.mantissa == 2 ? Step{5, step.exponent}
                                     : Step{1, step.exponent + 1};
     return step;
+}
+
+// The finest step with 3 to `most` ticks of which two are the ends; `otherwise` when there is none.
+Step chooseEndStep(double low, double high, int most, const Step& otherwise) {
+    for (Step step{1, tenExponent((high - low) / std::max(1, most)) - 1};;) {
+        const Multiples range = multiples(low, high, step);
+        if (range.count() < 3) return otherwise;
+        const double slack = 1e-9 * (high - low);
+        if (range.count() <= most && std::abs(range.first * step.size() - low) <= slack &&
+            std::abs(range.last * step.size() - high) <= slack)
+            return step;
+        step = step.mantissa == 1   ? Step{2, step.exponent}
+               : step.mantissa == 2 ? Step{4, step.exponent}
+               : step.mantissa == 4 ? Step{5, step.exponent}
+                                    : Step{1, step.exponent + 1};
+    }
 }
 
 // The multiple of a power of ten nearest to the middle whose distance to all ticks is small.
@@ -142,14 +158,15 @@ TickSet turnTicks(const Scale& scale, int most) {
 
 }  // namespace
 
-TickSet linearTicks(double low, double high, int most) {
+TickSet linearTicks(double low, double high, int most, bool wantEnds) {
     TickSet set;
     const double from = std::min(low, high), to = std::max(low, high);
     const double span = to - from;
     if (most < 1 || !std::isfinite(from) || !std::isfinite(to) || !std::isfinite(span)) return set;
     // Below some hundred ulps the ticks would not be where their labels say.
     if (!(span > 1e-13 * std::max(std::abs(from), std::abs(to))) || span < 1e-290) return set;
-    const Step step = chooseStep(from, to, most);
+    Step step = chooseStep(from, to, most);
+    if (wantEnds) step = chooseEndStep(from, to, most, step);
     const Multiples range = multiples(from, to, step);
     if (range.count() < 1 || std::max(std::abs(range.first), std::abs(range.last)) > kMultipleLimit)
         return set;
@@ -170,6 +187,7 @@ TickSet linearTicks(double low, double high, int most) {
         set.exponent = leading;
         exponent = step.exponent - leading;
     }
+    if (shown == 0) exponent = 0;  // a single tick at the offset or at 0
     for (std::int64_t n = first; n <= last; n += step.mantissa) {
         const double value = static_cast<double>(n) * tenTo(step.exponent);
         set.ticks.push_back(
@@ -178,13 +196,13 @@ TickSet linearTicks(double low, double high, int most) {
     return set;
 }
 
-TickSet scaleTicks(const Scale& scale, int most) {
+TickSet scaleTicks(const Scale& scale, int most, bool wantEnds) {
     if (!scale.check().ok() || most < 1) return {};
     if (scale.kind == ScaleKind::log) return decadeTicks(scale.low, scale.high, most);
     if (scale.kind == ScaleKind::cyclic && std::abs(scale.high - scale.low - 2 * kPi) < 1e-6 &&
         (std::abs(scale.low) < 1e-6 || std::abs(scale.low + kPi) < 1e-6))
         return turnTicks(scale, most);
-    TickSet set = linearTicks(scale.low, scale.high, most);
+    TickSet set = linearTicks(scale.low, scale.high, most, wantEnds);
     if (scale.kind == ScaleKind::sqrt)
         for (Tick& tick : set.ticks)
             tick.position = scale.position(scale.low + tick.position * (scale.high - scale.low));
@@ -192,9 +210,9 @@ TickSet scaleTicks(const Scale& scale, int most) {
 }
 
 TickSet fittingTicks(const Scale& scale, int most, double length, double gap,
-                     const std::function<double(const std::string&)>& extent) {
+                     const std::function<double(const std::string&)>& extent, bool wantEnds) {
     for (int count = most; count >= 1; --count) {
-        TickSet set = scaleTicks(scale, count);
+        TickSet set = scaleTicks(scale, count, wantEnds);
         std::vector<Tick> labelled;
         for (const Tick& tick : set.ticks)
             if (!tick.label.empty()) labelled.push_back(tick);
@@ -211,17 +229,20 @@ TickSet fittingTicks(const Scale& scale, int most, double length, double gap,
 }
 
 std::string axisName(const std::string& name, const TickSet& ticks) {
-    std::string text = name;
+    // No line breaks within what the parentheses hold.
+    const std::string glue = "\u00a0";
+    std::string text;
+    for (const char c : name) text += c == ' ' && !ticks.offset.empty() ? glue : std::string(1, c);
     if (!ticks.offset.empty()) {
         const bool negative = ticks.offset.starts_with(kMinus);
         const std::string size = negative ? ticks.offset.substr(kMinus.size()) : ticks.offset;
         if (text.empty()) text = "value";
-        text += (negative ? " + " : " " + kMinus + " ") + size;
+        text += glue + (negative ? "+" : kMinus) + glue + size;
         if (ticks.exponent != 0) text = "(" + text + ")";
     }
     if (ticks.exponent != 0)
-        text += (text.empty() ? "unit 10^{" : " / 10^{") + (ticks.exponent < 0 ? kMinus : "") +
-                std::to_string(std::abs(ticks.exponent)) + "}";
+        text += (text.empty() ? "unit 10^{" : " /" + glue + "10^{") +
+                (ticks.exponent < 0 ? kMinus : "") + std::to_string(std::abs(ticks.exponent)) + "}";
     return text;
 }
 

@@ -23,15 +23,19 @@ struct TickSet {
     int exponent = 0;
 };
 
-// At most `most` labelled ticks from low to high. Empty where doubles cannot tell them apart.
-TickSet linearTicks(double low, double high, int most);
+// At most `most` labelled ticks from low to high. Empty where doubles cannot tell them apart. With
+// wantEnds, steps of 4 are allowed too, and a coarser step whose first and last tick stand exactly
+// at the ends goes before a finer one that misses them: the ends of a colour bar are where values
+// are cut.
+TickSet linearTicks(double low, double high, int most, bool wantEnds = false);
 // Any scale of a colour bar or an axis; cyclic ranges of a whole turn are labelled by π.
-TickSet scaleTicks(const Scale& scale, int most);
+TickSet scaleTicks(const Scale& scale, int most, bool wantEnds = false);
 
 // The most ticks, up to `most`, whose labels keep `gap` between each other on an axis of the given
 // length; `extent` measures a label along the axis.
 TickSet fittingTicks(const Scale& scale, int most, double length, double gap,
-                     const std::function<double(const std::string&)>& extent);
+                     const std::function<double(const std::string&)>& extent,
+                     bool wantEnds = false);
 
 // "(Re c + 0.74364) / 10^{−9}": the name of an axis whose ticks were shortened. Markup.
 std::string axisName(const std::string& name, const TickSet& ticks);

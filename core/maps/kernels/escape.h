@@ -3,7 +3,7 @@
 // The escape kernel: it works in passes over all orbits that are still active. A pass runs a block
 // of steps without looking, several registers at a time, then tests. Orbits that left during the
 // block are collected and replayed from its beginning with a test after each step, full registers
-// again; the others move up, so that no lane is ever idle. The result is that of the plain loop.
+// again; the last orbits take their places, so that no lane is ever idle. The result is that of the plain loop.
 
 #include "maps/apply.h"
 #include "maps/orbit_batch.h"
@@ -24,10 +24,6 @@ struct BlockOf<2, T> {
 template <class T>
 struct BlockOf<4, T> {
     using type = Pair<Pair<Lanes<T>>>;
-};
-template <class T>
-struct BlockOf<8, T> {
-    using type = Pair<Pair<Pair<Lanes<T>>>>;
 };
 
 // Registers in flight: enough to hide latency, few enough to stay in registers.
@@ -56,11 +52,12 @@ struct EscapeKernel {
     };
 
     OrbitBatch<T>& batch;
-    Orbits active, leaving;
+    Orbits active, leaving, closer;
     T* reference[kD];
     int streamCount = 0;
     int streamParameter[kStreams];  // < kP: a parameter; else override number + kP
-    bool outsideIsFinal = false;
+    std::int32_t* hole;
+    int holes = 0;
 
     explicit EscapeKernel(OrbitBatch<T>& b) : batch(b) {
         for (int k = 0; k < kP; ++k)
@@ -76,14 +73,18 @@ struct EscapeKernel {
         for (int k = 0; k < kD; ++k) {
             active.state[k] = take();
             leaving.state[k] = take();
+            closer.state[k] = take();
             reference[k] = take();
         }
         for (int k = 0; k < streamCount; ++k) {
             active.streams[k] = take();
             leaving.streams[k] = take();
+            closer.streams[k] = take();
         }
         active.index = batch.scratchIndex;
         leaving.index = batch.scratchIndex + batch.capacity;
+        closer.index = batch.scratchIndex + 2 * batch.capacity;
+        hole = batch.scratchIndex + 3 * batch.capacity;
     }
 
     const T* streamValues(int k) const {
@@ -139,16 +140,17 @@ struct EscapeKernel {
         for (int k = 0; k < kP; ++k) parameters[k] = R(*batch.parameters[k].values);
     }
 
-    void begin() {
-        for (int i = 0; i < batch.count; ++i) active.index[i] = i;
-        for (int k = 0; k < kD; ++k)
-            for (int i = 0; i < batch.count; ++i) active.state[k][i] = batch.state[k][i];
-        for (int k = 0; k < streamCount; ++k)
-            for (int i = 0; i < batch.count; ++i) active.streams[k][i] = streamValues(k)[i];
-        active.size = batch.count;
-        pad(active);
-        decideFinality();
-        if (batch.shortcuts && !batch.needLast) removeKnownInterior();
+    // Takes the orbits whose mark in batch.steps is the given one.
+    void begin(std::int32_t mark) {
+        active.size = 0;
+        for (int i = 0; i < batch.count; ++i) {
+            if (batch.steps[i] != mark) continue;
+            const int at = active.size++;
+            active.index[at] = i;
+            for (int k = 0; k < kD; ++k) active.state[k][at] = batch.state[k][i];
+            for (int k = 0; k < streamCount; ++k) active.streams[k][at] = streamValues(k)[i];
+        }
+        if (active.size > 0) pad(active);
     }
 
     template <class Function>
@@ -165,18 +167,21 @@ struct EscapeKernel {
         }
     }
 
-    // May the test after a block stand for the tests within it?
-    void decideFinality() {
+    // For which orbits may the test after a block stand for the tests within it? Their marks
+    // become kFinal. All orbits must be active.
+    void markFinal() {
         if constexpr (requires { &M::template outsideIsFinal<R>; }) {
             const R radius(batch.squaredRadius);
-            bool all = true;
-            forEachBlock(active, [&](int, const State& z, const auto& arguments) {
+            forEachBlock(active, [&](int first, const State& z, const auto& arguments) {
                 const auto final = std::apply(
-                    [&](const auto&... as) { return M::template outsideIsFinal<R>(radius, z, as...); },
+                    [&](const auto&... as) {
+                        return M::template outsideIsFinal<R>(radius, z, as...);
+                    },
                     arguments);
-                if (any(!final)) all = false;
+                forEachLane(final, first, [&](int i) {
+                    if (i < active.size) batch.steps[active.index[i]] = kFinal;
+                });
             });
-            outsideIsFinal = all;
         }
     }
 
@@ -235,6 +240,13 @@ struct EscapeKernel {
         return same;
     }
 
+    // Calls function(i) for every lane i whose truth value is set.
+    template <class Mask, class Function>
+    static void forEachLane(const Mask& mask, int base, Function function) {
+        for (std::uint64_t bits = maskBits(mask); bits != 0; bits &= bits - 1)
+            function(base + __builtin_ctzll(bits));
+    }
+
     // Runs `steps` steps from iteration n. `compare`: orbits that are back at their reference (of
     // iteration n0) never escape.
     template <bool Final>
@@ -243,10 +255,7 @@ struct EscapeKernel {
         R parameters[kP > 0 ? kP : 1];
         loadUniform(parameters);
         Environment<R> environment = environmentOf();
-        T fresh[kD][kWidth];
-        T* freshRows[kD];
-        for (int k = 0; k < kD; ++k) freshRows[k] = fresh[k];
-        int write = 0;
+        holes = 0;
         leaving.size = 0;
         for (int first = 0; first < active.size; first += kWidth) {
             loadStreams(active, first, parameters, environment);
@@ -254,113 +263,156 @@ struct EscapeKernel {
             const R* from = parameters;
             const auto arguments = ArgumentList<ArgumentsOf<M, R>>::take(from, environment);
             const auto inside = runBlock<Final>(z, arguments, steps, radius);
-            bool repeats = false;
-            R old[kD];
-            if (compare) {
-                for (int k = 0; k < kD; ++k) loadLanes(old[k], reference[k] + first);
-                repeats = any(sameBits(z, Layout<State>::load(old)));
-            }
-            const int valid = active.size - first < kWidth ? active.size - first : kWidth;
-            if (!repeats && !any(!inside)) {
-                moveBlock(first, write, compare);
-                storeState(z, active.state, write);
-                write += valid;
-                continue;
-            }
-            storeState(z, freshRows, 0);
-            for (int i = 0; i < valid; ++i) {
-                if (!lane(inside, i)) {
-                    move(active, first + i, leaving, leaving.size++);
-                    continue;
-                }
-                if (repeats && returned(fresh, i, first)) {
-                    retire(active.index[first + i], n + steps, n + steps - n0, first, i, freshRows);
-                    continue;
-                }
-                move(active, first + i, active, write);
-                for (int k = 0; k < kD; ++k) {
-                    active.state[k][write] = fresh[k][i];
-                    if (compare) reference[k][write] = reference[k][first + i];
-                }
-                ++write;
-            }
+            forEachLane(!inside, first, [&](int i) {
+                if (i >= active.size) return;
+                move(active, i, leaving, leaving.size++);
+                hole[holes++] = i;
+            });
+            storeState(z, active.state, first);
+            if (compare) retireRepeating(z, inside, first, n + steps, n + steps - n0);
         }
-        active.size = write;
-        if (write > 0) pad(active);
-        if (leaving.size > 0) replay(n, steps);
+        fillHoles(compare);
+        if (active.size > 0) pad(active);
+        if (leaving.size > 0) replay<Final>(n, steps);
     }
 
-    // Streams, indices and references of a whole register move up; the state is stored anew.
-    void moveBlock(int first, int write, bool compare) {
-        if (write == first) return;
-        for (int i = 0; i < kWidth; ++i) active.index[write + i] = active.index[first + i];
-        R row;
-        for (int k = 0; k < streamCount; ++k) {
-            loadLanes(row, active.streams[k] + first);
-            storeLanes(row, active.streams[k] + write);
-        }
-        if (!compare) return;
-        for (int k = 0; k < kD; ++k) {
-            loadLanes(row, reference[k] + first);
-            storeLanes(row, reference[k] + write);
+    // The last orbits take the places of those that are gone. Holes are in ascending order.
+    void fillHoles(bool compare) {
+        while (holes > 0) {
+            const int at = hole[--holes];
+            const int last = --active.size;
+            if (at == last) continue;
+            move(active, last, active, at);
+            if (compare)
+                for (int k = 0; k < kD; ++k) reference[k][at] = reference[k][last];
         }
     }
 
-    bool returned(const T (&fresh)[kD][kWidth], int i, int first) const {
-        for (int k = 0; k < kD; ++k)
-            if (std::memcmp(&fresh[k][i], &reference[k][first + i], sizeof(T)) != 0) return false;
-        return true;
+    template <class Mask>
+    void retireRepeating(const State& z, const Mask& inside, int first, int n, int period) {
+        R old[kD];
+        for (int k = 0; k < kD; ++k) loadLanes(old[k], reference[k] + first);
+        const int before = holes;
+        forEachLane(sameBits(z, Layout<State>::load(old)), first, [&](int i) {
+            if (i >= active.size || !lane(inside, i - first)) return;
+            retire(i, n, period);
+            hole[holes++] = i;
+        });
+        // Merge with the holes that this block's escapes have left.
+        for (int i = before; i < holes; ++i)
+            for (int j = i; j > 0 && hole[j - 1] > hole[j]; --j) {
+                const std::int32_t swapped = hole[j];
+                hole[j] = hole[j - 1];
+                hole[j - 1] = swapped;
+            }
     }
 
     // A periodic orbit ends where the remainder of its iterations by the period takes it.
-    void retire(int orbit, int n, int period, int first, int i, T* const* rows) {
-        if (batch.needLast) {
-            int rest = (batch.iterations - n) % period;
-            R parameters[kP > 0 ? kP : 1];
-            loadUniform(parameters);
-            Environment<R> environment = environmentOf();
-            loadStreams(active, first, parameters, environment);
-            R parts[kD];
-            for (int k = 0; k < kD; ++k) loadLanes(parts[k], rows[k]);
-            State z = Layout<State>::load(parts);
-            for (; rest > 0; --rest) z = applyStep<M, R>(z, parameters, environment);
-            T last[kD][kWidth];
-            T* lastRows[kD];
-            for (int k = 0; k < kD; ++k) lastRows[k] = last[k];
-            storeState(z, lastRows, 0);
-            finish(orbit, batch.iterations + 1, lastRows, i);
-        } else {
-            batch.steps[orbit] = batch.iterations + 1;
-        }
+    void retire(int at, int n, int period) {
+        const int orbit = active.index[at];
+        batch.steps[orbit] = batch.iterations + 1;
+        if (!batch.needLast) return;
+        const int first = at / kWidth * kWidth;
+        R parameters[kP > 0 ? kP : 1];
+        loadUniform(parameters);
+        Environment<R> environment = environmentOf();
+        loadStreams(active, first, parameters, environment);
+        State z = loadState(active, first);
+        for (int rest = (batch.iterations - n) % period; rest > 0; --rest)
+            z = applyStep<M, R>(z, parameters, environment);
+        R parts[kD];
+        Layout<State>::store(z, parts);
+        for (int k = 0; k < kD; ++k) batch.state[k][orbit] = lane(parts[k], at - first);
     }
 
-    // All orbits in `leaving` escape within `steps` steps from iteration n: finds the first.
+    // All orbits in `leaving` escape within `steps` steps from iteration n. Long blocks are walked
+    // in short ones first, so that the tests after each step are few.
+    template <bool Final>
     void replay(int n, int steps) {
+        constexpr int kShort = 8;
+        int done = 0;
+        for (; steps - done > kShort && leaving.size > 0; done += kShort) shortBlock<Final>(n + done);
+        if (leaving.size > 0) lookAtEachStep(leaving, n + done, steps - done);
+    }
+
+    // The first registers of `leaving` that hold an orbit which escapes within the next 8 steps
+    // are looked at closely; what is left moves on by 8 steps.
+    template <bool Final>
+    void shortBlock(int n) {
+        constexpr int kShort = 8;
         pad(leaving);
         const R radius(batch.squaredRadius);
         R parameters[kP > 0 ? kP : 1];
         loadUniform(parameters);
         Environment<R> environment = environmentOf();
+        closer.size = 0;
+        holes = 0;
         for (int first = 0; first < leaving.size; first += kWidth) {
             loadStreams(leaving, first, parameters, environment);
             State z = loadState(leaving, first);
+            const R* from = parameters;
+            const auto arguments = ArgumentList<ArgumentsOf<M, R>>::take(from, environment);
+            const auto inside = runBlock<Final>(z, arguments, kShort, radius);
+            forEachLane(!inside, first, [&](int i) {
+                if (i >= leaving.size) return;
+                move(leaving, i, closer, closer.size++);
+                hole[holes++] = i;
+            });
+            storeState(z, leaving.state, first);
+        }
+        while (holes > 0) {
+            const int at = hole[--holes];
+            const int last = --leaving.size;
+            if (at != last) move(leaving, last, leaving, at);
+        }
+        if (closer.size > 0) lookAtEachStep(closer, n, kShort);
+    }
+
+    // Finds the first step at which each orbit is outside, and stops it there.
+    void lookAtEachStep(Orbits& orbits, int n, int steps) {
+        pad(orbits);
+        const R radius(batch.squaredRadius);
+        R parameters[kP > 0 ? kP : 1];
+        loadUniform(parameters);
+        Environment<R> environment = environmentOf();
+        for (int first = 0; first < orbits.size; first += kWidth) {
+            loadStreams(orbits, first, parameters, environment);
+            State z = loadState(orbits, first);
+            const R* from = parameters;
+            const auto arguments = ArgumentList<ArgumentsOf<M, R>>::take(from, environment);
             auto inside = squaredNorm(z) <= radius;
             R count(T(0));
-            for (int i = 0; i < steps && any(inside); ++i) {
-                z = select(inside, applyStep<M, R>(z, parameters, environment), z);
+            for (int i = 0; i < steps; ++i) {
+                z = select(inside, stepWith<M, R>(z, arguments), z);
                 count = select(inside, count + R(T(1)), count);
                 inside = inside & (squaredNorm(z) <= radius);
             }
-            storeState(z, leaving.state, first);
-            const int valid = leaving.size - first < kWidth ? leaving.size - first : kWidth;
+            storeState(z, orbits.state, first);
+            const int valid = orbits.size - first < kWidth ? orbits.size - first : kWidth;
+            T counts[kWidth];
+            storeLanes(count, counts);
             for (int i = 0; i < valid; ++i)
-                finish(leaving.index[first + i], n + static_cast<int>(lane(count, i)),
-                       leaving.state, first + i);
+                finish(orbits.index[first + i], n + static_cast<int>(counts[i]), orbits.state,
+                       first + i);
         }
     }
 
+    // Marks are negative, so that no result is taken for one.
+    static constexpr std::int32_t kPlain = -1, kFinal = -2;
+
     void run() {
-        begin();
+        for (int i = 0; i < batch.count; ++i) batch.steps[i] = kPlain;
+        begin(kPlain);
+        if (active.size == 0) return;
+        markFinal();
+        runGroup(kFinal, true);
+        runGroup(kPlain, false);
+    }
+
+    void runGroup(std::int32_t mark, bool outsideIsFinal) {
+        begin(mark);
+        if (active.size == 0) return;
+        if (batch.shortcuts && !batch.needLast) removeKnownInterior();
         int n = 0, block = 0, n0 = 0, nextReference = 64;
         bool compare = false;
         while (active.size > 0) {
@@ -375,7 +427,7 @@ struct EscapeKernel {
                 nextReference = 2 * n;
                 compare = true;
             }
-            block = block == 0 ? 2 : block < 32 ? 2 * block : 32;
+            block = block == 0 ? 2 : block < 64 ? 2 * block : 64;
         }
         for (int i = 0; i < active.size; ++i)
             finish(active.index[i], batch.iterations + 1, active.state, i);

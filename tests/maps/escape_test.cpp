@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "maps/samples.h"
+
+namespace versorium {
+namespace {
+
+// Arrays that an OrbitBatch points into.
+struct Escape {
+    OrbitBatch<double> batch;
+    std::vector<std::vector<double>> state, parameters;
+    std::vector<std::int32_t> steps, index;
+    std::vector<double> scratch;
+
+    Escape(const MapKernels& map, const std::vector<Sample>& all, const TestBindings& bindings,
+           bool varies) {
+        batch.count = static_cast<int>(all.size());
+        batch.capacity = (batch.count + kBatchPadding - 1) / kBatchPadding * kBatchPadding;
+        const auto capacity = static_cast<std::size_t>(batch.capacity);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(map.dimension); ++k) {
+            state.emplace_back(capacity);
+            for (std::size_t i = 0; i < all.size(); ++i) state[k][i] = all[i].state[k];
+        }
+        for (std::size_t k = 0; k < static_cast<std::size_t>(map.parameters); ++k) {
+            parameters.emplace_back(capacity);
+            for (std::size_t i = 0; i < all.size(); ++i) parameters[k][i] = all[i].parameters[k];
+        }
+        for (std::size_t k = 0; k < state.size(); ++k) batch.state[k] = state[k].data();
+        for (std::size_t k = 0; k < parameters.size(); ++k)
+            batch.parameters[k] = {parameters[k].data(), varies};
+        batch.lists[0] = &bindings.roots;
+        batch.lists[1] = &bindings.poles;
+        batch.field = &bindings.field;
+        steps.resize(capacity);
+        index.resize(4 * capacity);
+        scratch.resize(scratchSize(batch.capacity, map.parameters + kMostOverrides));
+        batch.steps = steps.data();
+        batch.scratch = scratch.data();
+        batch.scratchIndex = index.data();
+    }
+};
+
+// The loop of numerics: the least n with !(|z|² <= R²).
+int plainLoop(const MapKernels& map, std::vector<double>& z, const std::vector<double>& p,
+              const Environment<double>& environment, double squaredRadius, int iterations) {
+    for (int n = 0; n <= iterations; ++n) {
+        double norm = z[0] * z[0];
+        for (std::size_t k = 1; k < z.size(); ++k) norm = norm + z[k] * z[k];
+        if (!(norm <= squaredRadius)) return n;
+        if (n < iterations) map.step(z.data(), p.data(), environment);
+    }
+    return iterations + 1;
+}
+
+TEST(EscapeKernel, GivesTheStepsAndBitsOfThePlainLoop) {
+    const TestBindings bindings;
+    for (const MapKernels& map : catalogue())
+        for (const KernelTarget& target : kernelTargets()) {
+            if (target.flavour != Flavour::exact) continue;
+            for (const bool varies : {true, false})
+                for (const int iterations : {0, 1, 7, 150}) {
+                    auto all = samples(map, 203, 21);
+                    if (!varies)
+                        for (Sample& sample : all) sample.parameters = all[1].parameters;
+                    for (const bool shortcuts : {false, true}) {
+                        Escape escape(map, all, bindings, varies);
+                        const double radius =
+                            std::isinf(map.info.escapeRadius) ? 1e3 : map.info.escapeRadius;
+                        escape.batch.squaredRadius = radius * radius;
+                        escape.batch.iterations = iterations;
+                        escape.batch.shortcuts = shortcuts;
+                        target.doubles[map.index].escape(escape.batch);
+                        int wrong = 0;
+                        for (std::size_t i = 0; i < all.size(); ++i) {
+                            auto z = all[i].state;
+                            const int n =
+                                plainLoop(map, z, all[i].parameters, bindings.environment<double>(),
+                                          radius * radius, iterations);
+                            bool same = n == escape.steps[i];
+                            // Shorter forms may differ in a NaN or a zero's sign after escape only.
+                            for (std::size_t k = 0; k < z.size(); ++k)
+                                same = same && (z[k] == escape.state[k][i] || std::isnan(z[k]));
+                            if (!same) ++wrong;
+                        }
+                        EXPECT_EQ(wrong, 0) << map.info.name << " on " << target.name << ", N "
+                                            << iterations << (varies ? ", varying" : ", uniform")
+                                            << (shortcuts ? ", shortcuts" : "");
+                    }
+                }
+        }
+}
+
+// An attracting 3-cycle becomes exactly periodic in floating point: the shortcut has to find it and
+// still report the very z_N of the plain loop.
+TEST(EscapeKernel, PeriodShortcutKeepsTheLastIterate) {
+    const MapKernels& map = *findMap("quadratic");
+    const TestBindings bindings;
+    std::vector<Sample> all;
+    for (int i = 0; i < 40; ++i)
+        all.push_back({{0.001 * i, -0.002 * i}, {-0.122561, 0.744862}});
+    for (const int iterations : {100000, 100001, 100002}) {
+        Escape escape(map, all, bindings, true);
+        escape.batch.iterations = iterations;
+        kernelTarget(Flavour::exact).doubles[map.index].escape(escape.batch);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            auto z = all[i].state;
+            EXPECT_EQ(plainLoop(map, z, all[i].parameters, bindings.environment<double>(), 4,
+                                iterations),
+                      iterations + 1);
+            EXPECT_EQ(escape.steps[i], iterations + 1);
+            EXPECT_EQ(escape.state[0][i], z[0]);
+            EXPECT_EQ(escape.state[1][i], z[1]);
+        }
+    }
+}
+
+// One component of a root as an axis gives what the same root typed in would give.
+TEST(EscapeKernel, AListComponentMayVary) {
+    const MapKernels& map = *findMap("quaternion-rational");
+    const TestBindings bindings;
+    const auto all = samples(map, 100, 22);
+    Escape escape(map, all, bindings, true);
+    std::vector<double> moved(static_cast<std::size_t>(escape.batch.capacity), 0.0);
+    for (std::size_t i = 0; i < all.size(); ++i) moved[i] = 0.01 * static_cast<double>(i) - 0.5;
+    escape.batch.overrides[0] = {0, 2, 1, {moved.data(), true}};
+    escape.batch.overrideCount = 1;
+    escape.batch.squaredRadius = 400;
+    escape.batch.iterations = 4;
+    kernelTarget(Flavour::exact).doubles[map.index].escape(escape.batch);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        TestBindings typed;
+        typed.roots[2].q[1] = moved[i];
+        auto z = all[i].state;
+        EXPECT_EQ(plainLoop(map, z, all[i].parameters, typed.environment<double>(), 400, 4),
+                  escape.steps[i]);
+        for (std::size_t k = 0; k < 4; ++k)
+            EXPECT_TRUE(z[k] == escape.state[k][i] || std::isnan(z[k]));
+    }
+}
+
+}  // namespace
+}  // namespace versorium
