@@ -17,7 +17,7 @@ namespace versorium {
 
 using Bytes = std::vector<unsigned char>;
 
-inline constexpr std::size_t kFileSize = std::size_t{1} << 30;
+inline constexpr std::size_t kFileSize = std::size_t{1} << 31;  // a grid of 512³ is half of it
 
 // Fails when the file is larger than `maxBytes`, before it is read where its size is known.
 Expected<Bytes> readFile(const std::string& path, std::size_t maxBytes = kFileSize);

@@ -69,14 +69,14 @@ GridSample<R> sampleGrid(const Grid& grid, Outside outside, const R& x, const R&
     const std::ptrdiff_t stepZ =
         grid.planar() ? 0 : std::ptrdiff_t{grid.resolution.x} * grid.resolution.y;
     for (int i = 0; i < kLaneCount<R>; ++i) {
-        const std::size_t at = grid.index(static_cast<int>(lane(ax.cell, i)),
-                                          static_cast<int>(lane(ay.cell, i)),
-                                          static_cast<int>(lane(az.cell, i)));
+        const std::size_t at =
+            grid.index(static_cast<int>(lane(ax.cell, i)), static_cast<int>(lane(ay.cell, i)),
+                       static_cast<int>(lane(az.cell, i)));
         const double* first = grid.values.data() + at;
         for (int k = 0; k < 8; ++k)
             setLane(corner[k], i,
-                    static_cast<T>(first[(k & 1 ? stepX : 0) + (k & 2 ? stepY : 0) +
-                                         (k & 4 ? stepZ : 0)]));
+                    static_cast<T>(
+                        first[(k & 1 ? stepX : 0) + (k & 2 ? stepY : 0) + (k & 4 ? stepZ : 0)]));
     }
     const R x00 = mix(corner[0], corner[1], ax.fraction);
     const R x10 = mix(corner[2], corner[3], ax.fraction);
@@ -91,8 +91,7 @@ GridSample<R> sampleGrid(const Grid& grid, Outside outside, const R& x, const R&
     sample.dy = mix(x10 - x00, x11 - x01, az.fraction) * ay.slope;
     sample.dz = (y1 - y0) * az.slope;
     if (outside == Outside::distance) {
-        const R away =
-            sqrt(ax.beyond * ax.beyond + ay.beyond * ay.beyond + az.beyond * az.beyond);
+        const R away = sqrt(ax.beyond * ax.beyond + ay.beyond * ay.beyond + az.beyond * az.beyond);
         const R scale = select(away > R(T(0)), R(T(1)) / away, R(T(0)));
         sample.value = sample.value + away;
         sample.dx = sample.dx + ax.beyond * ax.beyondSlope * scale;

@@ -94,7 +94,8 @@ struct NamedShape {
     const char* name;
     const char* text;
 };
-// One example of every shape, within the box [-½, ½]³.
+// One example of every shape that stands alone; the solids lie within the box [-½, ½]³, the shapes
+// of the plane within [-½, ½]².
 std::span<const NamedShape> shapeGallery();
 
 }  // namespace versorium
