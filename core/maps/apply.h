@@ -84,8 +84,8 @@ StateOf<M, R> applyStep(const StateOf<M, R>& state, const R* parameters,
 template <class M, class R>
 void stepFlat(R* state, const R* parameters, const Environment<R>& environment) {
     using State = StateOf<M, R>;
-    Layout<State>::store(
-        applyStep<M, R>(Layout<State>::load(state), parameters, environment), state);
+    Layout<State>::store(applyStep<M, R>(Layout<State>::load(state), parameters, environment),
+                         state);
 }
 
 }  // namespace versorium

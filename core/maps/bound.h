@@ -53,10 +53,8 @@ template <>
 struct Environment<Expr> {
     Tape* tape = nullptr;
     Expr distance(const Expr& x, const Expr& y, const Expr& z) const {
-        return {tape, tape->add({.op = Op::distance,
-                                 .a = x.on(tape),
-                                 .b = y.on(tape),
-                                 .c = z.on(tape)})};
+        return {tape,
+                tape->add({.op = Op::distance, .a = x.on(tape), .b = y.on(tape), .c = z.on(tape)})};
     }
 };
 
@@ -79,7 +77,8 @@ class Roots {
     S fold(S start, Body body) const {
         const int size = environment_.listSize(Index);
         for (int i = 0; i < size; ++i)
-            start = body(start, Root<R>{item(i, 0), item(i, 1), item(i, 2), item(i, 3), item(i, 4)});
+            start =
+                body(start, Root<R>{item(i, 0), item(i, 1), item(i, 2), item(i, 3), item(i, 4)});
         return start;
     }
 
@@ -114,8 +113,7 @@ class Roots<Expr, Index> {
         Expr nextValues[kWidth];
         Layout<S>::store(next, nextValues);
         std::vector<Tape::Update> updates;
-        for (int k = 0; k < kWidth; ++k)
-            updates.push_back({variables[k], nextValues[k].on(tape_)});
+        for (int k = 0; k < kWidth; ++k) updates.push_back({variables[k], nextValues[k].on(tape_)});
         tape_->endLoop(std::move(updates));
         return Layout<S>::load(values);
     }

@@ -36,19 +36,18 @@ struct QuaternionQuadratic {
     // As for the complex family: |q² + c| >= |q|² - |c|.
     template <class R>
     static auto outsideIsFinal(R squaredRadius, Quaternion<R>, Quaternion<R> c) {
-        return (squaredRadius >= R(4.0)) &
-               (squaredNorm(c) <= squaredRadius * R(1.0 - 0x1p-20));
+        return (squaredRadius >= R(4.0)) & (squaredNorm(c) <= squaredRadius * R(1.0 - 0x1p-20));
     }
 };
 
 struct QuaternionCubic {
-    static constexpr ParameterInfo kParameters[] = {{.name = "c",
-                                                     .kind = ParameterKind::quaternion,
-                                                     .value = {-2.0 / 22, 6.0 / 22, 15.0 / 22,
-                                                               -6.0 / 22},
-                                                     .low = -2,
-                                                     .high = 2,
-                                                     .help = "added constant"}};
+    static constexpr ParameterInfo kParameters[] = {
+        {.name = "c",
+         .kind = ParameterKind::quaternion,
+         .value = {-2.0 / 22, 6.0 / 22, 15.0 / 22, -6.0 / 22},
+         .low = -2,
+         .high = 2,
+         .help = "added constant"}};
     static constexpr MapInfo info{.name = "quaternion-cubic",
                                   .title = "Quaternion cubic family",
                                   .formula = "q^3 + c",

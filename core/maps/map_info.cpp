@@ -19,22 +19,32 @@ std::string component(std::string_view name, int width, bool complex, int index)
 
 std::string_view stateName(Algebra algebra) {
     switch (algebra) {
-        case Algebra::real: return "x";
-        case Algebra::complex: return "z";
+        case Algebra::real:
+            return "x";
+        case Algebra::complex:
+            return "z";
         case Algebra::quaternion:
-        case Algebra::bicomplex: return "q";
-        default: return "p";
+        case Algebra::bicomplex:
+            return "q";
+        default:
+            return "p";
     }
 }
 
 std::string_view algebraName(Algebra algebra) {
     switch (algebra) {
-        case Algebra::real: return "real line";
-        case Algebra::complex: return "complex plane";
-        case Algebra::plane: return "real plane";
-        case Algebra::quaternion: return "quaternions";
-        case Algebra::bicomplex: return "bicomplex numbers";
-        default: return "space";
+        case Algebra::real:
+            return "real line";
+        case Algebra::complex:
+            return "complex plane";
+        case Algebra::plane:
+            return "real plane";
+        case Algebra::quaternion:
+            return "quaternions";
+        case Algebra::bicomplex:
+            return "bicomplex numbers";
+        default:
+            return "space";
     }
 }
 

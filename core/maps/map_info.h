@@ -53,19 +53,27 @@ inline constexpr double kNoEscape = std::numeric_limits<double>::infinity();
 
 constexpr int dimensionOf(Algebra algebra) {
     switch (algebra) {
-        case Algebra::real: return 1;
+        case Algebra::real:
+            return 1;
         case Algebra::complex:
-        case Algebra::plane: return 2;
-        case Algebra::space: return 3;
-        default: return 4;
+        case Algebra::plane:
+            return 2;
+        case Algebra::space:
+            return 3;
+        default:
+            return 4;
     }
 }
 constexpr int widthOf(ParameterKind kind) {
     switch (kind) {
-        case ParameterKind::complex: return 2;
-        case ParameterKind::space: return 3;
-        case ParameterKind::quaternion: return 4;
-        default: return 1;
+        case ParameterKind::complex:
+            return 2;
+        case ParameterKind::space:
+            return 3;
+        case ParameterKind::quaternion:
+            return 4;
+        default:
+            return 1;
     }
 }
 constexpr int parameterSize(const MapInfo& info) {

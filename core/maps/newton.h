@@ -32,15 +32,14 @@ struct Newton {
     static Complex<R> step(Complex<R> z, Complex<R> relaxation, Roots<R> roots) {
         // Beside the sum goes the least squared distance to a root: at a root the step is 0.
         using Sum = std::pair<Complex<R>, R>;
-        const Sum sum = roots.fold(
-            Sum{{R(0.0), R(0.0)}, R(1.0)}, [&](const Sum& before, const Root<R>& root) {
-                const Complex<R> difference = z - root.complex();
-                const R square = squaredNorm(difference);
-                const R scale = root.power / square;
-                return Sum{before.first +
-                               Complex<R>{scale * difference.re, -(scale * difference.im)},
-                           min(before.second, square)};
-            });
+        const Sum sum = roots.fold(Sum{{R(0.0), R(0.0)}, R(1.0)}, [&](const Sum& before,
+                                                                      const Root<R>& root) {
+            const Complex<R> difference = z - root.complex();
+            const R square = squaredNorm(difference);
+            const R scale = root.power / square;
+            return Sum{before.first + Complex<R>{scale * difference.re, -(scale * difference.im)},
+                       min(before.second, square)};
+        });
         const Complex<R> next = z - relaxation * inverse(sum.first);
         return select(sum.second == R(0.0), z, next);
     }

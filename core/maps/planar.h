@@ -9,8 +9,8 @@
 // Where coefficients are 0, shorter forms of the same sum do less work; they leave out additions of
 // x·0 only, so that they give the same numbers wherever x and y are finite.
 
-#include "maps/map_info.h"
 #include "maps/layout.h"
+#include "maps/map_info.h"
 
 namespace versorium {
 
@@ -114,21 +114,21 @@ struct Planar {
     { .name = text, .value = {number}, .low = -2, .high = 2, .help = "coefficient" }
     // The defaults are A eq 7 with c = -0.122561 + 0.744862i: the quadratic family in the plane.
     static constexpr ParameterInfo kParameters[] = {
-        VERSORIUM_COEFFICIENT("g.a1", 0),  VERSORIUM_COEFFICIENT("g.a2", 1),
-        VERSORIUM_COEFFICIENT("g.a3", 0),  VERSORIUM_COEFFICIENT("g.a4", 0),
-        VERSORIUM_COEFFICIENT("g.b1", 0),  VERSORIUM_COEFFICIENT("g.b2", -1),
-        VERSORIUM_COEFFICIENT("g.b3", 0),  VERSORIUM_COEFFICIENT("g.b4", 0),
-        VERSORIUM_COEFFICIENT("g.c1", 0),  VERSORIUM_COEFFICIENT("g.c2", 0),
-        VERSORIUM_COEFFICIENT("g.c3", 0),  VERSORIUM_COEFFICIENT("g.c4", 0),
+        VERSORIUM_COEFFICIENT("g.a1", 0),        VERSORIUM_COEFFICIENT("g.a2", 1),
+        VERSORIUM_COEFFICIENT("g.a3", 0),        VERSORIUM_COEFFICIENT("g.a4", 0),
+        VERSORIUM_COEFFICIENT("g.b1", 0),        VERSORIUM_COEFFICIENT("g.b2", -1),
+        VERSORIUM_COEFFICIENT("g.b3", 0),        VERSORIUM_COEFFICIENT("g.b4", 0),
+        VERSORIUM_COEFFICIENT("g.c1", 0),        VERSORIUM_COEFFICIENT("g.c2", 0),
+        VERSORIUM_COEFFICIENT("g.c3", 0),        VERSORIUM_COEFFICIENT("g.c4", 0),
         VERSORIUM_COEFFICIENT("g.d", -0.122561), VERSORIUM_COEFFICIENT("g.x3y", 0),
-        VERSORIUM_COEFFICIENT("g.xy3", 0), VERSORIUM_COEFFICIENT("h.a1", 0),
-        VERSORIUM_COEFFICIENT("h.a2", 0),  VERSORIUM_COEFFICIENT("h.a3", 0),
-        VERSORIUM_COEFFICIENT("h.a4", 0),  VERSORIUM_COEFFICIENT("h.b1", 0),
-        VERSORIUM_COEFFICIENT("h.b2", 0),  VERSORIUM_COEFFICIENT("h.b3", 0),
-        VERSORIUM_COEFFICIENT("h.b4", 0),  VERSORIUM_COEFFICIENT("h.c1", 2),
-        VERSORIUM_COEFFICIENT("h.c2", 0),  VERSORIUM_COEFFICIENT("h.c3", 0),
-        VERSORIUM_COEFFICIENT("h.c4", 0),  VERSORIUM_COEFFICIENT("h.d", 0.744862),
-        VERSORIUM_COEFFICIENT("h.x3y", 0), VERSORIUM_COEFFICIENT("h.xy3", 0)};
+        VERSORIUM_COEFFICIENT("g.xy3", 0),       VERSORIUM_COEFFICIENT("h.a1", 0),
+        VERSORIUM_COEFFICIENT("h.a2", 0),        VERSORIUM_COEFFICIENT("h.a3", 0),
+        VERSORIUM_COEFFICIENT("h.a4", 0),        VERSORIUM_COEFFICIENT("h.b1", 0),
+        VERSORIUM_COEFFICIENT("h.b2", 0),        VERSORIUM_COEFFICIENT("h.b3", 0),
+        VERSORIUM_COEFFICIENT("h.b4", 0),        VERSORIUM_COEFFICIENT("h.c1", 2),
+        VERSORIUM_COEFFICIENT("h.c2", 0),        VERSORIUM_COEFFICIENT("h.c3", 0),
+        VERSORIUM_COEFFICIENT("h.c4", 0),        VERSORIUM_COEFFICIENT("h.d", 0.744862),
+        VERSORIUM_COEFFICIENT("h.x3y", 0),       VERSORIUM_COEFFICIENT("h.xy3", 0)};
 #undef VERSORIUM_COEFFICIENT
     static constexpr MapInfo info{.name = "planar",
                                   .title = "Planar polynomial system",

@@ -37,8 +37,7 @@ struct Quadratic {
     // out. The margin leaves room for rounding.
     template <class R>
     static auto outsideIsFinal(R squaredRadius, Complex<R>, Complex<R> c) {
-        return (squaredRadius >= R(4.0)) &
-               (squaredNorm(c) <= squaredRadius * R(1.0 - 0x1p-20));
+        return (squaredRadius >= R(4.0)) & (squaredNorm(c) <= squaredRadius * R(1.0 - 0x1p-20));
     }
     // Started at 0, c in the main cardioid or in the disc of period 2 is attracted by a fixed point
     // or a cycle inside the disc of radius 2. The margin leaves room for rounding.

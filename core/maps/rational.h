@@ -33,8 +33,7 @@ template <class Z, class R>
 Factored<Z, R> timesPower(const Factored<Z, R>& before, const Z& factor, const R& exponent) {
     const R square = squaredNorm(factor);
     const auto zero = square == R(0.0);
-    const Z unitFactor =
-        select(zero, powers::unit(factor), (R(1.0) / sqrt(square)) * factor);
+    const Z unitFactor = select(zero, powers::unit(factor), (R(1.0) / sqrt(square)) * factor);
     const R logarithm = R(0.5) * log(square) * exponent;
     return {before.first * power(unitFactor, exponent),
             before.second + select(exponent == R(0.0), R(0.0), logarithm)};
@@ -93,8 +92,7 @@ struct Rational {
         const auto top = rational::product(q, roots, tau);
         const auto bottom = rational::product(q, poles, beta);
         // The bottom is a product of unit numbers: its inverse is its conjugate.
-        return exp(logScale + (top.second - bottom.second)) *
-               (top.first * conjugate(bottom.first));
+        return exp(logScale + (top.second - bottom.second)) * (top.first * conjugate(bottom.first));
     }
     template <class R>
     static Z<R> direction(Z<R> q, R, R tau, R beta, Roots<R, 0> roots, Roots<R, 1> poles) {

@@ -106,20 +106,20 @@ struct Layout<shape_modulus::Controls<R, State>> {
 template <class Inner>
 struct ShapeModulus {
     static constexpr auto kParameters = shape_modulus::joinedParameters<Inner>();
-    static constexpr MapInfo info{
-        .name = shape_modulus::Name<Inner>::kView,
-        .title = Inner::info.algebra == Algebra::complex ? "Shape modulus over the complex numbers"
-                                                         : "Shape modulus over the quaternions",
-        .formula = Inner::info.algebra == Algebra::complex
-                       ? "e^(alpha (phi(z) - beta)) p(z)/|p(z)|"
-                       : "e^(alpha (phi(q) - beta)) p(q)/|p(q)|",
-        .algebra = Inner::info.algebra,
-        .parameters = kParameters,
-        .lists = Inner::info.lists,
-        .field = true,
-        .escapeRadius = 20,
-        .homeHeight = 1.2,
-        .source = "S eqs 2-3"};
+    static constexpr MapInfo info{.name = shape_modulus::Name<Inner>::kView,
+                                  .title = Inner::info.algebra == Algebra::complex
+                                               ? "Shape modulus over the complex numbers"
+                                               : "Shape modulus over the quaternions",
+                                  .formula = Inner::info.algebra == Algebra::complex
+                                                 ? "e^(alpha (phi(z) - beta)) p(z)/|p(z)|"
+                                                 : "e^(alpha (phi(q) - beta)) p(q)/|p(q)|",
+                                  .algebra = Inner::info.algebra,
+                                  .parameters = kParameters,
+                                  .lists = Inner::info.lists,
+                                  .field = true,
+                                  .escapeRadius = 20,
+                                  .homeHeight = 1.2,
+                                  .source = "S eqs 2-3"};
     static constexpr int kRegisters = 1;
 
     template <class R>

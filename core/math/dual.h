@@ -14,9 +14,7 @@ struct Dual {
 
     Dual() = default;
     Dual(R a, R b) : value(a), slope(b) {}
-    explicit Dual(R a)
-        requires(!std::is_arithmetic_v<R>)
-        : value(a), slope(R(0.0)) {}
+    explicit Dual(R a) requires(!std::is_arithmetic_v<R>) : value(a), slope(R(0.0)) {}
     Dual(double a) : value(R(a)), slope(R(0.0)) {}
 
     friend Dual operator+(const Dual& a, const Dual& b) {

@@ -159,11 +159,10 @@ std::uint64_t maskBits(LanesMask<T> mask) {
 #if defined(__AVX512DQ__)
     if constexpr (sizeof(T) == 8)
         return static_cast<std::uint8_t>(
-            __builtin_ia32_cvtq2mask512(
-            (long long __attribute__((vector_size(64))))mask.v));
+            __builtin_ia32_cvtq2mask512((long long __attribute__((vector_size(64))))mask.v));
     else
-        return static_cast<std::uint16_t>(__builtin_ia32_cvtd2mask512(
-            (int __attribute__((vector_size(64))))mask.v));
+        return static_cast<std::uint16_t>(
+            __builtin_ia32_cvtd2mask512((int __attribute__((vector_size(64))))mask.v));
 #elif defined(__AVX2__)
     if constexpr (sizeof(T) == 8)
         return static_cast<std::uint64_t>(

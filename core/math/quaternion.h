@@ -27,9 +27,7 @@ struct Quaternion {
                 a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
                 a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
     }
-    friend Quaternion operator/(const Quaternion& a, const Quaternion& b) {
-        return a * inverse(b);
-    }
+    friend Quaternion operator/(const Quaternion& a, const Quaternion& b) { return a * inverse(b); }
     friend Quaternion operator*(const R& s, const Quaternion& a) {
         return {s * a.w, s * a.x, s * a.y, s * a.z};
     }

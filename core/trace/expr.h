@@ -127,10 +127,8 @@ inline Expr pow(const Expr& x, const Expr& y) { return recording::binary(Op::pow
 
 inline Complex<Expr> power(const Complex<Expr>& z, const Expr& e) {
     Tape* tape = z.re.tape() ? z.re.tape() : recording::commonTape(z.im, e);
-    const Node node{.op = Op::complexPower,
-                    .a = z.re.on(tape),
-                    .b = z.im.on(tape),
-                    .e = e.on(tape)};
+    const Node node{
+        .op = Op::complexPower, .a = z.re.on(tape), .b = z.im.on(tape), .e = e.on(tape)};
     Node second = node;
     second.index = 1;
     return {{tape, tape->add(node)}, {tape, tape->add(second)}};

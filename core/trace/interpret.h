@@ -28,33 +28,87 @@ void interpret(const Tape& tape, const R* state, const R* parameters,
     for (int i = 0; i < size; ++i) {
         const Node& n = tape.nodes[static_cast<std::size_t>(i)];
         switch (n.op) {
-            case Op::constant: at(i) = R(n.constant); break;
-            case Op::state: at(i) = state[n.index]; break;
-            case Op::parameter: at(i) = parameters[n.index]; break;
-            case Op::add: at(i) = at(n.a) + at(n.b); break;
-            case Op::subtract: at(i) = at(n.a) - at(n.b); break;
-            case Op::multiply: at(i) = at(n.a) * at(n.b); break;
-            case Op::divide: at(i) = at(n.a) / at(n.b); break;
-            case Op::negate: at(i) = -at(n.a); break;
-            case Op::squareRoot: at(i) = sqrt(at(n.a)); break;
-            case Op::absolute: at(i) = abs(at(n.a)); break;
-            case Op::minimum: at(i) = min(at(n.a), at(n.b)); break;
-            case Op::maximum: at(i) = max(at(n.a), at(n.b)); break;
-            case Op::floor: at(i) = floor(at(n.a)); break;
-            case Op::exponential: at(i) = exp(at(n.a)); break;
-            case Op::logarithm: at(i) = log(at(n.a)); break;
-            case Op::sine: at(i) = sin(at(n.a)); break;
-            case Op::cosine: at(i) = cos(at(n.a)); break;
-            case Op::angle: at(i) = atan2(at(n.a), at(n.b)); break;
-            case Op::power: at(i) = pow(at(n.a), at(n.b)); break;
-            case Op::less: at(i) = truth(at(n.a) < at(n.b)); break;
-            case Op::lessEqual: at(i) = truth(at(n.a) <= at(n.b)); break;
-            case Op::equal: at(i) = truth(at(n.a) == at(n.b)); break;
-            case Op::notEqual: at(i) = truth(at(n.a) != at(n.b)); break;
-            case Op::conjunction: at(i) = truth(isTrue(n.a) & isTrue(n.b)); break;
-            case Op::disjunction: at(i) = truth(isTrue(n.a) | isTrue(n.b)); break;
-            case Op::negation: at(i) = truth(at(n.a) == R(0.0)); break;
-            case Op::select: at(i) = select(isTrue(n.a), at(n.b), at(n.c)); break;
+            case Op::constant:
+                at(i) = R(n.constant);
+                break;
+            case Op::state:
+                at(i) = state[n.index];
+                break;
+            case Op::parameter:
+                at(i) = parameters[n.index];
+                break;
+            case Op::add:
+                at(i) = at(n.a) + at(n.b);
+                break;
+            case Op::subtract:
+                at(i) = at(n.a) - at(n.b);
+                break;
+            case Op::multiply:
+                at(i) = at(n.a) * at(n.b);
+                break;
+            case Op::divide:
+                at(i) = at(n.a) / at(n.b);
+                break;
+            case Op::negate:
+                at(i) = -at(n.a);
+                break;
+            case Op::squareRoot:
+                at(i) = sqrt(at(n.a));
+                break;
+            case Op::absolute:
+                at(i) = abs(at(n.a));
+                break;
+            case Op::minimum:
+                at(i) = min(at(n.a), at(n.b));
+                break;
+            case Op::maximum:
+                at(i) = max(at(n.a), at(n.b));
+                break;
+            case Op::floor:
+                at(i) = floor(at(n.a));
+                break;
+            case Op::exponential:
+                at(i) = exp(at(n.a));
+                break;
+            case Op::logarithm:
+                at(i) = log(at(n.a));
+                break;
+            case Op::sine:
+                at(i) = sin(at(n.a));
+                break;
+            case Op::cosine:
+                at(i) = cos(at(n.a));
+                break;
+            case Op::angle:
+                at(i) = atan2(at(n.a), at(n.b));
+                break;
+            case Op::power:
+                at(i) = pow(at(n.a), at(n.b));
+                break;
+            case Op::less:
+                at(i) = truth(at(n.a) < at(n.b));
+                break;
+            case Op::lessEqual:
+                at(i) = truth(at(n.a) <= at(n.b));
+                break;
+            case Op::equal:
+                at(i) = truth(at(n.a) == at(n.b));
+                break;
+            case Op::notEqual:
+                at(i) = truth(at(n.a) != at(n.b));
+                break;
+            case Op::conjunction:
+                at(i) = truth(isTrue(n.a) & isTrue(n.b));
+                break;
+            case Op::disjunction:
+                at(i) = truth(isTrue(n.a) | isTrue(n.b));
+                break;
+            case Op::negation:
+                at(i) = truth(at(n.a) == R(0.0));
+                break;
+            case Op::select:
+                at(i) = select(isTrue(n.a), at(n.b), at(n.c));
+                break;
             case Op::complexPower: {
                 const Complex<R> z = power(Complex<R>{at(n.a), at(n.b)}, at(n.e));
                 at(i) = n.index == 0 ? z.re : z.im;
@@ -66,7 +120,9 @@ void interpret(const Tape& tape, const R* state, const R* parameters,
                 at(i) = n.index == 0 ? q.w : n.index == 1 ? q.x : n.index == 2 ? q.y : q.z;
                 break;
             }
-            case Op::distance: at(i) = environment.distance(at(n.a), at(n.b), at(n.c)); break;
+            case Op::distance:
+                at(i) = environment.distance(at(n.a), at(n.b), at(n.c));
+                break;
             case Op::loopVariable:
                 // Later rounds keep the value that loopEnd gave.
                 if (loops.back().item == 0) at(i) = at(n.a);
@@ -80,12 +136,14 @@ void interpret(const Tape& tape, const R* state, const R* parameters,
                                   loops.back().item, n.index)
                             : R(0.0);
                 break;
-            case Op::loopBegin: loops.push_back({i, 0}); break;
+            case Op::loopBegin:
+                loops.push_back({i, 0});
+                break;
             case Op::loopEnd: {
                 const auto& updates = tape.updates[static_cast<std::size_t>(n.index)];
                 Loop& loop = loops.back();
-                const int items = environment.listSize(
-                    tape.nodes[static_cast<std::size_t>(loop.begin)].index);
+                const int items =
+                    environment.listSize(tape.nodes[static_cast<std::size_t>(loop.begin)].index);
                 // An empty list runs the body once without effect: its variables keep their start.
                 if (items > 0) {
                     std::vector<R> next;

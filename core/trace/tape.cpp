@@ -17,12 +17,40 @@ bool sameNode(const Node& a, const Node& b) {
                __builtin_bit_cast(std::uint64_t, b.constant);
 }
 
-constexpr const char* kNames[] = {
-    "constant", "state",    "parameter", "add",         "subtract",     "multiply",  "divide",
-    "negate",   "sqrt",     "abs",       "min",         "max",          "floor",     "exp",
-    "log",      "sin",      "cos",       "atan2",       "pow",          "less",      "lessEqual",
-    "equal",    "notEqual", "and",       "or",          "not",          "select",    "complexPower",
-    "quaternionPower",      "distance",  "loopBegin",   "loopVariable", "listItem",  "loopEnd"};
+constexpr const char* kNames[] = {"constant",
+                                  "state",
+                                  "parameter",
+                                  "add",
+                                  "subtract",
+                                  "multiply",
+                                  "divide",
+                                  "negate",
+                                  "sqrt",
+                                  "abs",
+                                  "min",
+                                  "max",
+                                  "floor",
+                                  "exp",
+                                  "log",
+                                  "sin",
+                                  "cos",
+                                  "atan2",
+                                  "pow",
+                                  "less",
+                                  "lessEqual",
+                                  "equal",
+                                  "notEqual",
+                                  "and",
+                                  "or",
+                                  "not",
+                                  "select",
+                                  "complexPower",
+                                  "quaternionPower",
+                                  "distance",
+                                  "loopBegin",
+                                  "loopVariable",
+                                  "listItem",
+                                  "loopEnd"};
 
 }  // namespace
 

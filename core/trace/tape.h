@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The tape: what a map does, as a list of elementary operations in the order in which they are done.
-// It is recorded by running the map's own definition on `Expr` (trace/expr.h), printed as GLSL
-// (trace/glsl.h) and interpreted over any number type (trace/interpret.h).
+// The tape: what a map does, as a list of elementary operations in the order in which they are
+// done. It is recorded by running the map's own definition on `Expr` (trace/expr.h), printed as
+// GLSL (trace/glsl.h) and interpreted over any number type (trace/interpret.h).
 //
 // Elementary functions and powers are single nodes. A fold over a list of roots is one loop between
 // loopBegin and loopEnd, whatever the list's length. A look-up of a distance field is one node.
@@ -14,10 +14,10 @@
 namespace versorium {
 
 enum class Op : std::uint8_t {
-    constant,  // constant
-    state,     // component `index` of the state
-    parameter, // component `index` of the parameters
-    add,       // a + b, and so on
+    constant,   // constant
+    state,      // component `index` of the state
+    parameter,  // component `index` of the parameters
+    add,        // a + b, and so on
     subtract,
     multiply,
     divide,
@@ -39,8 +39,8 @@ enum class Op : std::uint8_t {
     notEqual,
     conjunction,
     disjunction,
-    negation,  // … to here
-    select,    // a ? b : c
+    negation,         // … to here
+    select,           // a ? b : c
     complexPower,     // component `index` of (a + bi)^e
     quaternionPower,  // component `index` of (a + bi + cj + dk)^e
     distance,         // the bound distance field at (a, b, c)

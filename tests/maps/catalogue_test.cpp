@@ -311,8 +311,7 @@ TEST(ShapeModulus, HasTheModulusOfTheShape) {
             map.step(z.data(), parameters.data(), bindings.environment<double>());
             double x[4] = {};
             for (std::size_t k = 0; k < z.size(); ++k) x[k] = sample.state[k] - parameters[3 + k];
-            const double phi =
-                bindings.field.at(x[0], x[1], map.dimension == 2 ? 0.0 : x[2]);
+            const double phi = bindings.field.at(x[0], x[1], map.dimension == 2 ? 0.0 : x[2]);
             double norm = 0;
             for (double part : z) norm += part * part;
             EXPECT_NEAR(std::sqrt(norm), std::exp(parameters[0] * (phi - parameters[1])),

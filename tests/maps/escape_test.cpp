@@ -101,17 +101,16 @@ TEST(EscapeKernel, PeriodShortcutKeepsTheLastIterate) {
     const MapKernels& map = *findMap("quadratic");
     const TestBindings bindings;
     std::vector<Sample> all;
-    for (int i = 0; i < 40; ++i)
-        all.push_back({{0.001 * i, -0.002 * i}, {-0.122561, 0.744862}});
+    for (int i = 0; i < 40; ++i) all.push_back({{0.001 * i, -0.002 * i}, {-0.122561, 0.744862}});
     for (const int iterations : {100000, 100001, 100002}) {
         Escape escape(map, all, bindings, true);
         escape.batch.iterations = iterations;
         kernelTarget(Flavour::exact).doubles[map.index].escape(escape.batch);
         for (std::size_t i = 0; i < all.size(); ++i) {
             auto z = all[i].state;
-            EXPECT_EQ(plainLoop(map, z, all[i].parameters, bindings.environment<double>(), 4,
-                                iterations),
-                      iterations + 1);
+            EXPECT_EQ(
+                plainLoop(map, z, all[i].parameters, bindings.environment<double>(), 4, iterations),
+                iterations + 1);
             EXPECT_EQ(escape.steps[i], iterations + 1);
             EXPECT_EQ(escape.state[0][i], z[0]);
             EXPECT_EQ(escape.state[1][i], z[1]);

@@ -20,7 +20,8 @@ struct TestBindings {
                     {{0.2, -0.6, 0, -0.3}, 1.5},
                     {{0, 0.25, -0.4, 0.1}, 3}};
     BoundList poles{{{0.7, -0.2, 0.1, 0.1}, 1}, {{-0.1, -0.8, 0.2, 0}, 0.5}};
-    DistanceField field{*parseShape("union(sphere(0.35), translate(0.2, 0.1, 0, box(0.1, 0.3, 0.2)))")};
+    DistanceField field{
+        *parseShape("union(sphere(0.35), translate(0.2, 0.1, 0, box(0.1, 0.3, 0.2)))")};
 
     template <class R>
     Environment<R> environment() const {

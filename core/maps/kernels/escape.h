@@ -3,7 +3,8 @@
 // The escape kernel: it works in passes over all orbits that are still active. A pass runs a block
 // of steps without looking, several registers at a time, then tests. Orbits that left during the
 // block are collected and replayed from its beginning with a test after each step, full registers
-// again; the last orbits take their places, so that no lane is ever idle. The result is that of the plain loop.
+// again; the last orbits take their places, so that no lane is ever idle. The result is that of the
+// plain loop.
 
 #include "maps/apply.h"
 #include "maps/orbit_batch.h"
@@ -161,8 +162,7 @@ struct EscapeKernel {
         for (int first = 0; first < orbits.size; first += kWidth) {
             loadStreams(orbits, first, parameters, environment);
             const R* from = parameters;
-            const auto arguments =
-                ArgumentList<ArgumentsOf<M, R>>::take(from, environment);
+            const auto arguments = ArgumentList<ArgumentsOf<M, R>>::take(from, environment);
             function(first, loadState(orbits, first), arguments);
         }
     }
@@ -191,7 +191,9 @@ struct EscapeKernel {
             std::int32_t* known = leaving.index;
             forEachBlock(active, [&](int first, const State& z, const auto& arguments) {
                 const auto inside = std::apply(
-                    [&](const auto&... as) { return M::template knownInterior<R>(radius, z, as...); },
+                    [&](const auto&... as) {
+                        return M::template knownInterior<R>(radius, z, as...);
+                    },
                     arguments);
                 for (int i = 0; i < kWidth; ++i) known[first + i] = lane(inside, i) ? 1 : 0;
             });
@@ -331,7 +333,8 @@ struct EscapeKernel {
     void replay(int n, int steps) {
         constexpr int kShort = 8;
         int done = 0;
-        for (; steps - done > kShort && leaving.size > 0; done += kShort) shortBlock<Final>(n + done);
+        for (; steps - done > kShort && leaving.size > 0; done += kShort)
+            shortBlock<Final>(n + done);
         if (leaving.size > 0) lookAtEachStep(leaving, n + done, steps - done);
     }
 

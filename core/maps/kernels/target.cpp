@@ -29,9 +29,7 @@ void escape(OrbitBatch<T>& batch) {
             done = true;
             escapeWith<Form>(batch);
         };
-        [&]<class... Forms>(std::tuple<Forms...>) {
-            (attempt(Forms{}), ...);
-        }(typename M::Forms{});
+        [&]<class... Forms>(std::tuple<Forms...>) { (attempt(Forms{}), ...); }(typename M::Forms{});
         if (done) return;
     }
     escapeWith<M>(batch);
@@ -87,9 +85,8 @@ void advanceWith(OrbitBatch<T>& batch) {
 
 template <class T, class... Maps>
 struct Rows {
-    static constexpr BatchRow<T> kTable[] = {
-        {&escape<Maps, T>, &advanceWith<Maps, Lanes<T>, T>,
-         &advanceWith<Maps, Dual<Lanes<T>>, T>}...};
+    static constexpr BatchRow<T> kTable[] = {{&escape<Maps, T>, &advanceWith<Maps, Lanes<T>, T>,
+                                              &advanceWith<Maps, Dual<Lanes<T>>, T>}...};
 };
 
 template <class T, class... Maps>

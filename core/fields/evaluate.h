@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Measures fields (fields/field_names.h) of many orbits at once.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fields/field_names.h"
+#include "maps/catalogue.h"
+#include "view/slice.h"
+
+namespace versorium {
+
+struct Trap {
+    enum class Kind { point, line, circle };
+    Kind kind = Kind::point;
+    double point[kMostDimension] = {};
+    int components = 2;  // of a point trap; lines and circles lie in the first two
+    double radius = 1, angle = 0;
+};
+
+// Everything that orbits follow from. The slice's numbers are the state, the parameters, and one
+// for each override, in this order.
+struct OrbitProgram {
+    const MapKernels* map = nullptr;
+    std::vector<BoundList> lists;
+    std::shared_ptr<const DistanceField> field;
+    Slice slice;
+    struct ListNumber {
+        int list, item, component;
+    };
+    std::vector<ListNumber> overrides;
+    std::optional<int> critical;  // start at this critical point instead of the slice's state
+    int iterations = 100;
+    double escapeRadius = 2;
+    bool onlyLastTested = false;  // A eq 12 read literally
+    double iso = 0;
+    double degree = 2;
+    Trap trap;
+};
+
+// Channels of a field: the dimension of the state for the versor, else 1.
+int channelCount(FieldName field, const OrbitProgram& program);
+
+struct EvaluateOptions {
+    Flavour flavour = Flavour::exact;
+    bool shortcuts = true;
+};
+
+// For `count` points with coordinates[axis][i]: one vector of count * channels numbers per field,
+// channel after channel. Every NaN is the canonical one. Values do not depend on how points are
+// split among calls.
+std::vector<std::vector<double>> evaluateFields(const OrbitProgram& program, int count,
+                                                const double* const* coordinates,
+                                                std::span<const FieldName> fields,
+                                                const EvaluateOptions& options = {});
+
+// The orbit of one point: rows of dimension numbers, z_0 … at most z_steps; ends after the first
+// iterate that is outside.
+std::vector<std::vector<double>> orbitOf(const OrbitProgram& program, const double* coordinates,
+                                         int steps);
+
+}  // namespace versorium

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// What a picture carries and what can be opened: a scene or a plate, with how it was rendered. As
+// JSON this is {"document": 1, "kind": "scene" | "plate", "body": …, "assets": …, "render": …};
+// a bare scene or plate is a document as well. In a PNG it is the iTXt text "versorium".
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/json.h"
+#include "scene/scene.h"
+
+namespace versorium {
+
+inline constexpr const char* kDocumentKeyword = "versorium";
+inline constexpr std::size_t kDocumentBytes = std::size_t{64} << 20;
+
+struct Document {
+    std::string kind = "scene";  // or "plate"
+    Json body;                   // a scene or a plate, without assets
+    Json assets = Json::object();
+    Json render = Json::object();  // the options that made the picture
+};
+
+Json documentToJson(const Document& document);
+Expected<Document> documentFromJson(const Json& json);
+
+// A JSON file or a PNG that carries a document; "-" is standard input.
+Expected<Document> readDocument(const std::string& path);
+Expected<Document> documentFromBytes(std::span<const unsigned char> bytes);
+
+// The scene of a scene document, or of one panel, with the document's assets.
+Expected<Scene> sceneWithAssets(const Json& scene, const Json& assets);
+// Moves the assets of a scene's JSON to `assets`.
+Json withoutAssets(Json scene, Json& assets);
+
+// --set key=value. A key is a path of the scene ("colour.palette"), the last part of one
+// ("palette", "height"), or a number's or parameter's name ("c", "c.re", "roots[0].power"). `shape`
+// and lists of roots also take files, which become assets.
+struct Assignment {
+    std::string key, value;
+};
+Expected<Assignment> parseAssignment(const std::string& text);
+bool knowsKey(const Scene& scene, const std::string& key);
+Status assign(Scene& scene, const Assignment& assignment);
+
+}  // namespace versorium

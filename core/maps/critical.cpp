@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "maps/critical.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace versorium {
+namespace {
+
+constexpr int kStartsAcross = 5;
+constexpr double kReach = 2;
+constexpr int kNewtonSteps = 60;
+
+struct Plane2 {
+    double x, y;
+};
+
+Environment<SecondNumber> lifted(const Environment<double>& environment) {
+    Environment<SecondNumber> result;
+    for (int k = 0; k < kMostLists; ++k) result.lists[k] = environment.lists[k];
+    result.field = environment.field;
+    result.overrideCount = environment.overrideCount;
+    for (int k = 0; k < environment.overrideCount; ++k)
+        result.overrides[k] = {environment.overrides[k].list, environment.overrides[k].item,
+                               environment.overrides[k].component,
+                               SecondNumber(environment.overrides[k].value)};
+    return result;
+}
+
+// ∂F/∂x at a point, and its derivative along (dx, dy) and `parameterSlopes` (may be null).
+struct Slope {
+    Plane2 value, derivative;
+};
+Slope slopeOf(const MapKernels& map, Plane2 at, double dx, double dy, const double* parameters,
+              const double* parameterSlopes, const Environment<SecondNumber>& environment) {
+    SecondNumber state[2] = {{{at.x, dx}, {1.0, 0.0}}, {{at.y, dy}, {0.0, 0.0}}};
+    std::array<SecondNumber, kMostParameters> lifted;
+    for (int k = 0; k < map.parameters; ++k)
+        lifted[static_cast<std::size_t>(k)] = {
+            {parameters[k], parameterSlopes ? parameterSlopes[k] : 0.0}, {0.0, 0.0}};
+    map.stepSecond(state, lifted.data(), environment);
+    return {{state[0].slope.value, state[1].slope.value},
+            {state[0].slope.slope, state[1].slope.slope}};
+}
+
+bool solve2(Plane2 a, Plane2 b, Plane2 right, Plane2& solution) {
+    const double determinant = a.x * b.y - a.y * b.x;
+    if (!(std::abs(determinant) > 1e-14)) return false;
+    solution = {(right.x * b.y - right.y * b.x) / determinant,
+                (a.x * right.y - a.y * right.x) / determinant};
+    return true;
+}
+
+bool newton(const MapKernels& map, Plane2 start, const double* parameters,
+            const Environment<SecondNumber>& environment, Plane2& found) {
+    Plane2 at = start;
+    for (int i = 0; i < kNewtonSteps; ++i) {
+        const Slope byX = slopeOf(map, at, 1, 0, parameters, nullptr, environment);
+        const Slope byY = slopeOf(map, at, 0, 1, parameters, nullptr, environment);
+        const double size = std::abs(byX.value.x) + std::abs(byX.value.y);
+        Plane2 step{};
+        if (size > 0 && !solve2(byX.derivative, byY.derivative, byX.value, step)) return false;
+        at = {at.x - step.x, at.y - step.y};
+        if (!(std::abs(at.x) + std::abs(at.y) < 1e6)) return false;
+        const double moved = std::abs(step.x) + std::abs(step.y);
+        if (moved <= 1e-15 * (1 + std::abs(at.x) + std::abs(at.y))) {
+            const Slope last = slopeOf(map, at, 0, 0, parameters, nullptr, environment);
+            found = at;
+            return std::abs(last.value.x) + std::abs(last.value.y) < 1e-9;
+        }
+    }
+    return false;
+}
+
+struct Candidate {
+    Plane2 point;
+    bool fixed;
+};
+
+std::vector<Candidate> solvedPoints(const MapKernels& map, const double* parameters,
+                                    const Environment<double>& environment) {
+    const auto second = lifted(environment);
+    std::vector<Candidate> all;
+    for (int row = 0; row < kStartsAcross; ++row)
+        for (int column = 0; column < kStartsAcross; ++column) {
+            // A little off the axes, where symmetric maps have no slope.
+            const auto place = [](int i) {
+                return kReach * (2.0 * i / (kStartsAcross - 1) - 1) + 0.013;
+            };
+            Plane2 found{};
+            if (!newton(map, {place(column), place(row)}, parameters, second, found)) continue;
+            const bool known = std::any_of(all.begin(), all.end(), [&](const Candidate& other) {
+                return std::abs(other.point.x - found.x) + std::abs(other.point.y - found.y) < 1e-7;
+            });
+            if (known) continue;
+            double image[2] = {found.x, found.y};
+            map.step(image, parameters, environment);
+            const bool fixed = std::abs(image[0] - found.x) + std::abs(image[1] - found.y) < 1e-7;
+            all.push_back({found, fixed});
+        }
+    std::sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
+        if (a.fixed != b.fixed) return b.fixed;
+        return std::abs(a.point.x - b.point.x) > 1e-9 ? a.point.x < b.point.x
+                                                      : a.point.y < b.point.y;
+    });
+    return all;
+}
+
+}  // namespace
+
+bool hasCriticalPoints(const MapKernels& map) { return map.criticalPoints > 0 || map.stepSecond; }
+
+bool criticalPoint(const MapKernels& map, int k, const double* parameters,
+                   const Environment<double>& environment, double* point,
+                   const double* parameterSlopes, double* slope) {
+    if (map.criticalPoints > 0) {
+        if (k >= map.criticalPoints) return false;
+        map.critical(k, point, parameters);
+        if (slope) {
+            std::array<DualNumber, kMostParameters> lifted;
+            for (int i = 0; i < map.parameters; ++i)
+                lifted[static_cast<std::size_t>(i)] = {parameters[i], parameterSlopes[i]};
+            DualNumber state[kMostDimension];
+            map.criticalDual(k, state, lifted.data());
+            for (int i = 0; i < map.dimension; ++i) slope[i] = state[i].slope;
+        }
+        return true;
+    }
+    if (!map.stepSecond) return false;
+    const auto all = solvedPoints(map, parameters, environment);
+    if (static_cast<std::size_t>(k) >= all.size()) return false;
+    const Plane2 at = all[static_cast<std::size_t>(k)].point;
+    point[0] = at.x, point[1] = at.y;
+    if (slope) {
+        // ∂F/∂x(p*(s), s) = 0 for all s: differentiate it.
+        const auto second = lifted(environment);
+        const Slope byX = slopeOf(map, at, 1, 0, parameters, nullptr, second);
+        const Slope byY = slopeOf(map, at, 0, 1, parameters, nullptr, second);
+        const Slope byS = slopeOf(map, at, 0, 0, parameters, parameterSlopes, second);
+        Plane2 moved{};
+        solve2(byX.derivative, byY.derivative, byS.derivative, moved);
+        slope[0] = -moved.x, slope[1] = -moved.y;
+    }
+    return true;
+}
+
+}  // namespace versorium

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Critical points p* of a map, from which bifurcation sets start (A 4.2, A8). Closed forms where a
+// map has them. Other maps of the plane are solved: a point where ∂F/∂x = 0, found by Newton's
+// method from a grid of starts with second derivatives by duals of duals. For a complex-analytic
+// map that is f' = 0; for any planar map it makes det J = 0. Points that are fixed by the map (the
+// roots under Newton's map) come last; within each group they are ordered by x, then y.
+
+#include <vector>
+
+#include "maps/catalogue.h"
+
+namespace versorium {
+
+// Whether the map may have critical points that can be named at all.
+bool hasCriticalPoints(const MapKernels& map);
+
+// The k-th critical point for these parameters; false where there is none. `slope`, when not null,
+// receives its derivative along the direction `parameterSlopes`.
+bool criticalPoint(const MapKernels& map, int k, const double* parameters,
+                   const Environment<double>& environment, double* point,
+                   const double* parameterSlopes = nullptr, double* slope = nullptr);
+
+}  // namespace versorium

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "plate/scene_panels.h"
+
+#include "io/document.h"
+#include "render/colouring.h"
+#include "scene/numbers.h"
+
+namespace versorium {
+namespace {
+
+// With a true minus sign.
+std::string number(double value) {
+    std::string text = formatNumber(value, 6);
+    if (!text.empty() && text[0] == '-') text.replace(0, 1, "\u2212");
+    return text;
+}
+
+std::string complexNumber(double re, double im) {
+    return number(re) + (im < 0 || (im == 0 && 1 / im < 0) ? " \u2212 " : " + ") +
+           number(im < 0 ? -im : im) + "i";
+}
+
+std::string valueText(const ParameterInfo& parameter, const std::vector<double>& value) {
+    if (parameter.kind == ParameterKind::complex) return complexNumber(value[0], value[1]);
+    if (value.size() == 1) return number(value[0]);
+    std::string text = "(";
+    for (std::size_t k = 0; k < value.size(); ++k) text += (k > 0 ? ", " : "") + number(value[k]);
+    return text + ")";
+}
+
+// "z.re" -> "Re z", "g.b1" -> "b_{1}^{g}", "q.w" -> "w", "roots[2].re" -> "Re roots_{2}".
+std::string axisName(const std::string& name) {
+    const std::size_t dot = name.rfind('.');
+    if (dot == std::string::npos) return name == "power" ? "exponent d" : name;
+    std::string owner = name.substr(0, dot);
+    const std::string part = name.substr(dot + 1);
+    if (const std::size_t open = owner.find('['); open != std::string::npos)
+        owner =
+            owner.substr(0, open) + "_{" + owner.substr(open + 1, owner.find(']') - open - 1) + "}";
+    if (part == "re") return "Re " + owner;
+    if (part == "im") return "Im " + owner;
+    if (owner == "g" || owner == "h") {
+        if (part.size() == 2)
+            return part.substr(0, 1) + "_{" + part.substr(1) + "}^{" + owner + "}";
+        return part + "^{" + owner + "}";
+    }
+    if (owner == "q" || owner == "p") return part;
+    return owner + "_{" + part + "}";
+}
+
+std::string axisLabel(const SliceAxis& axis) {
+    std::string label;
+    for (const auto& [name, weight] : axis.terms) {
+        if (!label.empty()) label += weight < 0 ? " \u2212 " : " + ";
+        const double size = label.empty() ? weight : weight < 0 ? -weight : weight;
+        if (size != 1) label += number(size) + " ";
+        label += axisName(name);
+    }
+    return label;
+}
+
+std::map<std::string, std::string> factsOf(const Scene& scene, const OrbitProgram& program) {
+    std::map<std::string, std::string> facts;
+    const MapInfo& info = program.map->info;
+    facts["map"] = std::string(info.title);
+    facts["iterations"] = std::to_string(scene.iterations);
+    facts["escape_radius"] = number(program.escapeRadius);
+    facts["height"] = number(scene.slice.height);
+    facts["iso"] = number(scene.iso);
+    facts["shape"] = scene.shape.source.starts_with("asset:") && !scene.assets.empty()
+                         ? scene.assets.begin()->second->name
+                         : scene.shape.source;
+    for (const ParameterInfo& parameter : info.parameters) {
+        const std::string name(parameter.name);
+        facts[name] = valueText(parameter, scene.parameters.at(name));
+    }
+    for (int k = 0; k < program.map->parameters; ++k)
+        facts[parameterComponent(info, k)] =
+            number(numberValue(scene, {NumberKind::parameter, k, {}, 0, 0, 0}));
+    for (int k = 0; k < program.map->dimension; ++k)
+        facts[stateComponent(info, k)] = number(scene.start[static_cast<std::size_t>(k)]);
+    for (const auto& [name, list] : scene.lists) facts[name] = std::to_string(list.roots.size());
+    return facts;
+}
+
+}  // namespace
+
+std::string sceneSentence(const Scene& scene) {
+    const MapInfo& info = mapOf(scene).info;
+    std::string text = std::string(info.title) + ", " + std::string(info.formula);
+    std::string values;
+    for (const ParameterInfo& parameter : info.parameters) {
+        const std::string name(parameter.name);
+        const auto& value = scene.parameters.at(name);
+        bool zero = true;
+        for (double part : value) zero = zero && part == 0;
+        bool sliced = false;
+        for (const SliceAxis& axis : scene.slice.axes)
+            for (const auto& [term, weight] : axis.terms)
+                sliced = sliced || term == name || term.starts_with(name + ".");
+        if (!sliced && !zero) values += ", " + name + " = " + valueText(parameter, value);
+    }
+    text += values + "; on the plane of ";
+    for (std::size_t k = 0; k < scene.slice.axes.size(); ++k)
+        text += (k > 0 ? " and " : "") + axisLabel(scene.slice.axes[k]);
+    text += ", height " + number(scene.slice.height) + "; " + std::to_string(scene.iterations) +
+            " iterations; ";
+    text += scene.colour.rule == "gradient" ? "coloured by the escape step"
+            : scene.colour.rule == "versor" ? "coloured by the versor"
+            : scene.colour.rule == "phase"  ? "coloured by the argument"
+                                            : "coloured by the field " + scene.colour.field;
+    return text + ".";
+}
+
+Expected<PanelInfo> describeScene(CpuRenderer& renderer, const Scene& scene, Job& job) {
+    Expected<OrbitProgram> program = renderer.binder().bind(scene, job);
+    if (!program) return program.status();
+    Expected<ColourPass> pass = ColourPass::make(scene, *program);
+    if (!pass) return pass.status();
+    PanelInfo info;
+    info.aspect = scene.aspect;
+    const double halfHeight = 0.5 * scene.slice.height, halfWidth = halfHeight * scene.aspect;
+    if (scene.slice.axes.size() >= 2) {
+        const auto& centre = scene.slice.centre;
+        info.x = {axisLabel(scene.slice.axes[0]), centre[0] - halfWidth, centre[0] + halfWidth};
+        info.y = {axisLabel(scene.slice.axes[1]), centre[1] - halfHeight, centre[1] + halfHeight};
+    }
+    const Colouring& colouring = scene.colour;
+    if (colouring.rule == "versor") {
+        info.versorKey = program->map->dimension == 4;
+    } else if (colouring.rule != "gradient") {
+        const FieldInfo& field = infoOf(pass->shown());
+        const bool twoValued =
+            field.field == FieldName::membership || field.field == FieldName::solid;
+        if (twoValued)
+            info.legend = {{pass->palette().at(1), "inside"}, {pass->palette().at(0), "outside"}};
+        else
+            info.bar = ColourBar{std::string(field.label), pass->scale(), pass->palette()};
+        if (colouring.interior != "none" && !twoValued)
+            info.legend.push_back({pass->palette().interior, colouring.interior == "solid"
+                                                                 ? "solid set"
+                                                                 : "members after N"});
+    } else {
+        info.legend = {{gradientColour(colouring.escaped, 0), "escapes at once"},
+                       {gradientColour(colouring.escaped, 1), "escapes late"},
+                       {gradientColour(colouring.attracted, 0), "attracted"}};
+        if (!(colouring.attracted.start == colouring.attracted.finish))
+            info.legend.back().text = "attracted at once",
+            info.legend.push_back({gradientColour(colouring.attracted, 1), "attracted late"});
+    }
+    info.description = sceneSentence(scene);
+    info.facts = factsOf(scene, *program);
+    return info;
+}
+
+PanelSource scenePanels(CpuRenderer& renderer, const Json& assets, Job& job) {
+    PanelSource source;
+    source.describe = [&renderer, assets, &job](const Json& json) -> Expected<PanelInfo> {
+        Expected<Scene> scene = sceneWithAssets(json, assets);
+        if (!scene) return scene.status();
+        return describeScene(renderer, *scene, job);
+    };
+    source.draw = [&renderer, assets, &job](const Json& json, Size pixels,
+                                            double lineWidth) -> Expected<Raster<float>> {
+        Expected<Scene> scene = sceneWithAssets(json, assets);
+        if (!scene) return scene.status();
+        Frame frame;
+        const RenderOptions options{.lineWidth = lineWidth};
+        if (Status status = renderer.render(*scene, pixels, options, job, frame); !status.ok())
+            return status;
+        return std::move(frame.colour);
+    };
+    return source;
+}
+
+}  // namespace versorium

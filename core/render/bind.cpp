@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "render/bind.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/embedded.h"
+#include "io/grid_files.h"
+#include "io/image_files.h"
+#include "io/mesh_files.h"
+#include "scene/numbers.h"
+#include "shape/image_distance.h"
+#include "shape/mesh_distance.h"
+
+namespace versorium {
+namespace {
+
+constexpr std::string_view kMeshes = "meshes/";
+
+bool endsWith(const std::string& name, std::string_view ending) {
+    if (name.size() < ending.size()) return false;
+    for (std::size_t i = 0; i < ending.size(); ++i) {
+        char c = name[name.size() - ending.size() + i];
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+        if (c != ending[i]) return false;
+    }
+    return true;
+}
+
+bool isGridName(const std::string& name) {
+    return endsWith(name, ".f3d") || endsWith(name, ".field2d") || endsWith(name, ".grid");
+}
+
+bool isPictureName(const std::string& name) {
+    return endsWith(name, ".png") || endsWith(name, ".jpg") || endsWith(name, ".jpeg") ||
+           endsWith(name, ".bmp");
+}
+
+std::size_t numberIndex(const Scene& scene, const NumberRef& ref, OrbitProgram& program) {
+    const MapKernels& map = mapOf(scene);
+    if (ref.kind == NumberKind::state) return static_cast<std::size_t>(ref.index);
+    if (ref.kind == NumberKind::parameter)
+        return static_cast<std::size_t>(map.dimension + ref.index);
+    std::size_t k = 0;
+    for (; k < program.overrides.size(); ++k) {
+        const auto& known = program.overrides[k];
+        if (known.list == ref.listIndex && known.item == ref.item &&
+            known.component == ref.component)
+            break;
+    }
+    if (k == program.overrides.size())
+        program.overrides.push_back({ref.listIndex, ref.item, ref.component});
+    return static_cast<std::size_t>(map.dimension + map.parameters) + k;
+}
+
+// Lists on axes first, so that the number of numbers is known.
+Status bindSlice(const Scene& scene, OrbitProgram& program) {
+    const MapKernels& map = mapOf(scene);
+    std::vector<std::pair<std::size_t, double>> named;
+    std::vector<std::vector<std::pair<std::size_t, double>>> axes;
+    for (const SliceAxis& axis : scene.slice.axes) {
+        axes.emplace_back();
+        for (const auto& [name, weight] : axis.terms)
+            axes.back().emplace_back(numberIndex(scene, *numberNamed(scene, name), program),
+                                     weight);
+    }
+    for (const auto& [name, value] : scene.slice.origin)
+        named.emplace_back(numberIndex(scene, *numberNamed(scene, name), program), value);
+    if (program.overrides.size() > kMostOverrides)
+        return Status::usage("slice: at most " + std::to_string(kMostOverrides) +
+                             " components of lists may be on axes");
+
+    std::vector<double>& origin = program.slice.origin;
+    for (int k = 0; k < map.dimension; ++k)
+        origin.push_back(numberValue(scene, {NumberKind::state, k, {}, 0, 0, 0}));
+    for (int k = 0; k < map.parameters; ++k)
+        origin.push_back(numberValue(scene, {NumberKind::parameter, k, {}, 0, 0, 0}));
+    for (const auto& number : program.overrides) {
+        const auto& list = program.lists[static_cast<std::size_t>(number.list)];
+        const RootList::Root& root = list[static_cast<std::size_t>(number.item)];
+        origin.push_back(number.component == 4
+                             ? root.power
+                             : root.q[static_cast<std::size_t>(number.component)]);
+    }
+    for (const auto& terms : axes) {
+        program.slice.axes.emplace_back(origin.size(), 0.0);
+        for (const auto& [number, weight] : terms) {
+            program.slice.axes.back()[number] += weight;
+            origin[number] = 0;
+        }
+    }
+    for (const auto& [number, value] : named) origin[number] = value;
+    return {};
+}
+
+Trap trapOf(const TrapSpec& spec) {
+    Trap trap;
+    trap.kind = spec.kind == "line"     ? Trap::Kind::line
+                : spec.kind == "circle" ? Trap::Kind::circle
+                                        : Trap::Kind::point;
+    for (std::size_t k = 0; k < spec.point.size(); ++k) trap.point[k] = spec.point[k];
+    trap.components = static_cast<int>(spec.point.size());
+    trap.radius = spec.radius;
+    trap.angle = spec.angle;
+    return trap;
+}
+
+}  // namespace
+
+std::vector<std::string> builtinMeshes() {
+    std::vector<std::string> names;
+    for (std::string_view name : embeddedNames(kMeshes)) {
+        const std::string_view file = name.substr(kMeshes.size());
+        names.emplace_back(file.substr(0, file.find('.')));
+    }
+    return names;
+}
+
+double automaticRadius(const Scene& scene) {
+    const MapInfo& info = mapOf(scene).info;
+    const bool quadratic = info.name == "quadratic" || info.name == "quaternion-quadratic";
+    if (!quadratic) return info.escapeRadius;
+    for (const SliceAxis& axis : scene.slice.axes)
+        for (const auto& [name, weight] : axis.terms)
+            if (name.starts_with("c.")) return info.escapeRadius;
+    double square = 0;
+    for (double part : scene.parameters.at("c")) square = square + part * part;
+    return std::max(info.escapeRadius, (1 + std::sqrt(1 + 4 * std::sqrt(square))) / 2);
+}
+
+Expected<Grid> gridFromBytes(std::span<const unsigned char> bytes, const std::string& name,
+                             const ShapeSpec& spec, Job& job) {
+    if (isGridName(name)) return readGrid(bytes, {.zFastest = spec.zFastest});
+    if (isPictureName(name)) {
+        Expected<Raster<unsigned char>> image = readImage(bytes);
+        if (!image) return image.status();
+        return imageDistance(shapeMask(*image), job);
+    }
+    Expected<Mesh> mesh = readMesh(bytes, name);
+    if (!mesh) return mesh.status();
+    Expected<MeshDistance> made =
+        meshDistance(*mesh, {.resolution = spec.resolution, .padding = spec.padding}, job);
+    if (!made) return made.status();
+    return std::move(made->grid);
+}
+
+Expected<std::shared_ptr<const DistanceField>> Binder::field(const Scene& scene, Job& job) {
+    const std::string& source = scene.shape.source;
+    const bool asset = source.starts_with("asset:");
+    const std::string mesh = std::string(kMeshes) + source + ".obj";
+    if (!asset && embedded(mesh).empty()) {
+        Expected<ShapeTree> tree = parseShape(source);
+        if (!tree) return tree.status().in("shape");
+        return std::make_shared<const DistanceField>(std::move(*tree));
+    }
+    std::span<const unsigned char> bytes = embedded(mesh);
+    std::string name = source + ".obj";
+    if (asset) {
+        const auto found = scene.assets.find(source.substr(6));
+        if (found == scene.assets.end())
+            return Status::data(
+                "shape: the scene names the asset " + source.substr(6) +
+                " but does not carry it; give the file again with --set shape=FILE");
+        bytes = found->second->bytes;
+        name = found->second->name;
+    }
+    const bool grid = isGridName(name);
+    const Outside outside = scene.shape.outside == "border"     ? Outside::border
+                            : scene.shape.outside == "distance" ? Outside::distance
+                            : grid                              ? Outside::border
+                                                                : Outside::distance;
+    const std::string key = source + "/" + std::to_string(scene.shape.resolution) + "/" +
+                            formatNumber(scene.shape.padding) +
+                            (scene.shape.zFastest ? "/z" : "/x");
+    const std::lock_guard lock(mutex_);
+    std::shared_ptr<const Grid>& kept = grids_[key];
+    if (!kept) {
+        Expected<Grid> made = gridFromBytes(bytes, name, scene.shape, job);
+        if (!made) return made.status().in("shape " + name);
+        kept = std::make_shared<const Grid>(std::move(*made));
+    }
+    return std::make_shared<const DistanceField>(kept, outside);
+}
+
+Expected<OrbitProgram> Binder::bind(const Scene& scene, Job& job) {
+    const MapKernels& map = mapOf(scene);
+    OrbitProgram program;
+    program.map = &map;
+    for (std::string_view name : map.info.lists) {
+        const RootList& list = scene.lists.at(std::string(name));
+        program.lists.push_back(list.roots);
+        for (RootList::Root& root : program.lists.back()) root.power *= list.scale;
+    }
+    if (map.info.field) {
+        Expected<std::shared_ptr<const DistanceField>> made = field(scene, job);
+        if (!made) return made.status();
+        program.field = *made;
+    }
+    if (Status status = bindSlice(scene, program); !status.ok()) return status;
+    program.critical = scene.criticalStart;
+    program.iterations = scene.iterations;
+    program.escapeRadius = scene.escapeRadius.value_or(automaticRadius(scene));
+    program.onlyLastTested = scene.escapeTest == "last";
+    program.iso = scene.iso;
+    program.degree = map.info.degree;
+    if (const auto power = scene.parameters.find("power"); power != scene.parameters.end())
+        program.degree = power->second[0];
+    program.trap = trapOf(scene.trap);
+    return program;
+}
+
+}  // namespace versorium

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Makes of a scene what orbits are computed from: names become numbers, lists are bound, and the
+// shape becomes a distance field. Grids made of meshes and pictures are kept, since they take
+// seconds and several panels of a plate share them.
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "fields/evaluate.h"
+#include "jobs/job.h"
+#include "scene/scene.h"
+
+namespace versorium {
+
+class Binder {
+  public:
+    Expected<OrbitProgram> bind(const Scene& scene, Job& job);
+
+  private:
+    Expected<std::shared_ptr<const DistanceField>> field(const Scene& scene, Job& job);
+
+    std::mutex mutex_;
+    std::map<std::string, std::shared_ptr<const Grid>> grids_;
+};
+
+// The mesh, grid or picture in these bytes as a grid of signed distances (`name` tells by its
+// ending what they are).
+Expected<Grid> gridFromBytes(std::span<const unsigned char> bytes, const std::string& name,
+                             const ShapeSpec& spec, Job& job);
+// Names of the meshes that the program carries.
+std::vector<std::string> builtinMeshes();
+
+// The escape radius that a scene's map takes by itself: for the quadratic families with one c
+// (1 + sqrt(1 + 4|c|))/2 where that is above 2, which bounds every filled Julia set.
+double automaticRadius(const Scene& scene);
+
+}  // namespace versorium

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "render/colouring.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace versorium {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+// The scale that suits a field when the scene names none.
+Scale defaultScale(FieldName field, const OrbitProgram& program, double height) {
+    const double n = std::max(2, program.iterations);
+    switch (field) {
+        case FieldName::escapeStep:
+        case FieldName::smoothEscape:
+            return {ScaleKind::log, 1, n};
+        case FieldName::attractionStep:
+            return {ScaleKind::log, 1, n};
+        case FieldName::squaredNorm:
+            return {ScaleKind::log, 1e-3, 1e3};
+        case FieldName::logModulus:
+            return {ScaleKind::linear, -8, 8};
+        case FieldName::imageModulus:
+            return {ScaleKind::truncatedLog, -8, 8};
+        case FieldName::versor:
+            return {ScaleKind::linear, -1, 1};
+        case FieldName::argument:
+            return {ScaleKind::cyclic, -kPi, kPi};
+        case FieldName::distance:
+            return {ScaleKind::log, 1e-4 * height, 0.25 * height};
+        case FieldName::lyapunov:
+            return {ScaleKind::linear, -1, 1};
+        case FieldName::period:
+            return {ScaleKind::linear, 0, 16};
+        default:
+            return {ScaleKind::linear, 0, 1};
+    }
+}
+
+bool usable(const Colouring& colouring) { return !colouring.range.empty(); }
+
+}  // namespace
+
+int ColourPass::ask(FieldName field) {
+    const auto found = std::find(fields_.begin(), fields_.end(), field);
+    if (found != fields_.end()) return static_cast<int>(found - fields_.begin());
+    fields_.push_back(field);
+    return static_cast<int>(fields_.size()) - 1;
+}
+
+Expected<ColourPass> ColourPass::make(const Scene& scene, const OrbitProgram& program) {
+    const Colouring& colouring = scene.colour;
+    ColourPass pass;
+    pass.shown_ = findField(colouring.field)->field;
+    pass.dimension_ = program.map->dimension;
+    pass.iterations_ = program.iterations;
+    pass.squaredRadius_ = program.escapeRadius * program.escapeRadius;
+    pass.escaped_ = colouring.escaped;
+    pass.attracted_ = colouring.attracted;
+    pass.smoothing_ = colouring.smoothing;
+
+    Expected<Palette> palette = paletteNamed(colouring.palette);
+    if (!palette) return palette.status();
+    pass.palette_ = std::move(*palette);
+    pass.scale_ = defaultScale(pass.shown_, program, scene.slice.height);
+    if (!colouring.scale.empty()) pass.scale_.kind = *scaleKindFromWord(colouring.scale);
+    if (usable(colouring))
+        pass.scale_.low = colouring.range[0], pass.scale_.high = colouring.range[1];
+    if (colouring.reverse) std::swap(pass.scale_.low, pass.scale_.high);
+    if (Status status = pass.scale_.check(); !status.ok()) return status.in("colour.range");
+
+    if (colouring.rule == "gradient") {
+        pass.rule_ = Rule::gradient;
+        pass.memberAt_ = pass.ask(FieldName::membership);
+        pass.stepsAt_ = pass.ask(FieldName::escapeStep);
+        if (colouring.smoothing == "ratio") pass.normAt_ = pass.ask(FieldName::squaredNorm);
+        if (colouring.smoothing == "log-log") pass.smoothAt_ = pass.ask(FieldName::smoothEscape);
+        // One colour for the whole attracted region needs no look at its steps.
+        if (!(colouring.attracted.start == colouring.attracted.finish))
+            pass.attractedAt_ = pass.ask(FieldName::attractionStep);
+    } else if (colouring.rule == "versor") {
+        pass.rule_ = Rule::versor;
+        pass.shown_ = FieldName::versor;
+        pass.shownAt_ = pass.ask(FieldName::versor);
+    } else if (colouring.rule == "phase") {
+        pass.rule_ = Rule::phase;
+        pass.shown_ = FieldName::argument;
+        pass.shownAt_ = pass.ask(FieldName::argument);
+        pass.scale_ = {ScaleKind::cyclic, -kPi, kPi};
+    } else {
+        pass.shownAt_ = pass.ask(pass.shown_);
+        if (colouring.interior != "none")
+            pass.interiorField_ = pass.ask(findField(colouring.interior)->field);
+    }
+    if (colouring.outline != "none")
+        pass.outlineField_ = pass.ask(findField(colouring.outline)->field);
+    pass.outlineColour_ = *colourFromHex(colouring.outlineColour);
+    return pass;
+}
+
+Colour ColourPass::gradient(const std::vector<std::vector<double>>& values, std::size_t i) const {
+    const auto at = [&](int field) { return values[static_cast<std::size_t>(field)][i]; };
+    if (at(memberAt_) != 0) {
+        const double step = attractedAt_ >= 0 ? at(attractedAt_) : 0;
+        return bandedColour(attracted_, step, iterations_);
+    }
+    if (normAt_ >= 0)
+        return smoothedColour(escaped_, at(stepsAt_), at(normAt_), squaredRadius_, iterations_);
+    if (smoothAt_ >= 0)
+        return gradientColour(escaped_, logEscapePosition(at(smoothAt_), iterations_));
+    return bandedColour(escaped_, at(stepsAt_), iterations_);
+}
+
+Colour ColourPass::colour(const std::vector<std::vector<double>>& values, std::size_t count,
+                          std::size_t i) const {
+    switch (rule_) {
+        case Rule::gradient:
+            return gradient(values, i);
+        case Rule::versor: {
+            const auto& versor = values[static_cast<std::size_t>(shownAt_)];
+            // The complex numbers have one imaginary part only; the real part is shown as well.
+            if (dimension_ == 2) return versorColour(versor[i], versor[count + i], 0);
+            if (dimension_ == 3)
+                return versorColour(versor[i], versor[count + i], versor[2 * count + i]);
+            if (dimension_ == 1) return versorColour(versor[i], versor[i], versor[i]);
+            return versorColour(versor[count + i], versor[2 * count + i], versor[3 * count + i]);
+        }
+        case Rule::phase:
+            return phaseColour(palette_, values[static_cast<std::size_t>(shownAt_)][i]);
+        default:
+            break;
+    }
+    if (interiorField_ >= 0 && values[static_cast<std::size_t>(interiorField_)][i] != 0)
+        return palette_.interior;
+    const double value = values[static_cast<std::size_t>(shownAt_)][i];
+    return palette_.at(scale_.position(value));
+}
+
+bool ColourPass::inOutlinedSet(const std::vector<std::vector<double>>& values,
+                               std::size_t i) const {
+    return outlineField_ >= 0 && values[static_cast<std::size_t>(outlineField_)][i] != 0;
+}
+
+}  // namespace versorium

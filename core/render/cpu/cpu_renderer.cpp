@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "render/cpu/cpu_renderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/colouring.h"
+#include "render/outline.h"
+
+namespace versorium {
+namespace {
+
+constexpr int kTile = 32;      // pixels along a side
+constexpr int kPoints = 1024;  // points at once when there is no picture
+
+// Coordinates of the samples of a tile, row after row.
+struct Samples {
+    std::vector<double> u, v, w;
+    void add(double x, double y) {
+        u.push_back(x);
+        v.push_back(y);
+        w.push_back(0);
+    }
+};
+
+Viewport viewportOf(const Scene& scene, Size samples) {
+    Viewport view;
+    view.size = samples;
+    for (std::size_t k = 0; k < 2 && k < scene.slice.centre.size(); ++k) {
+        view.centre[k] = scene.slice.centre[k];
+        view.centreLow[k] = scene.slice.centreLow[k];
+    }
+    view.height = scene.slice.height;
+    return view;
+}
+
+double thirdCoordinate(const Scene& scene) {
+    return scene.slice.centre.size() > 2 ? scene.slice.centre[2] + scene.slice.centreLow[2] : 0;
+}
+
+struct Tile {
+    int x, y, width, height;  // in pixels
+};
+std::vector<Tile> tilesOf(Size size) {
+    std::vector<Tile> tiles;
+    for (int y = 0; y < size.height; y += kTile)
+        for (int x = 0; x < size.width; x += kTile)
+            tiles.push_back(
+                {x, y, std::min(kTile, size.width - x), std::min(kTile, size.height - y)});
+    return tiles;
+}
+
+Samples samplesOf(const Tile& tile, int perSide, const Viewport& view, double third) {
+    Samples samples;
+    for (int y = tile.y * perSide; y < (tile.y + tile.height) * perSide; ++y)
+        for (int x = tile.x * perSide; x < (tile.x + tile.width) * perSide; ++x)
+            samples.add(view.u(x), view.v(y));
+    std::fill(samples.w.begin(), samples.w.end(), third);
+    return samples;
+}
+
+std::vector<std::vector<double>> evaluate(const OrbitProgram& program, const Samples& samples,
+                                          const std::vector<FieldName>& fields,
+                                          const RenderOptions& options) {
+    const double* coordinates[3] = {samples.u.data(), samples.v.data(), samples.w.data()};
+    return evaluateFields(program, static_cast<int>(samples.u.size()), coordinates, fields,
+                          {options.flavour, options.shortcuts});
+}
+
+// Mean of the samples of each pixel of the tile: in linear light, colours weighted by alpha.
+void average(const Tile& tile, int perSide, const std::vector<Colour>& colours, Frame& frame) {
+    const int across = tile.width * perSide;
+    for (int y = 0; y < tile.height; ++y)
+        for (int x = 0; x < tile.width; ++x) {
+            double r = 0, g = 0, b = 0, a = 0;
+            for (int sy = 0; sy < perSide; ++sy)
+                for (int sx = 0; sx < perSide; ++sx) {
+                    const Colour& c = colours[static_cast<std::size_t>((y * perSide + sy) * across +
+                                                                       x * perSide + sx)];
+                    r += c.r * c.a;
+                    g += c.g * c.a;
+                    b += c.b * c.a;
+                    a += c.a;
+                }
+            float* pixel = &frame.colour.at(tile.x + x, tile.y + y);
+            const double scale = a > 0 ? 1 / a : 0;
+            pixel[0] = static_cast<float>(r * scale);
+            pixel[1] = static_cast<float>(g * scale);
+            pixel[2] = static_cast<float>(b * scale);
+            pixel[3] = static_cast<float>(a / (perSide * perSide));
+        }
+}
+
+}  // namespace
+
+Status checkSize(const Scene& scene, Size size) {
+    if (size.width < 1 || size.height < 1 || size.width > kMostPixels || size.height > kMostPixels)
+        return Status::usage("a picture of " + std::to_string(size.width) + " x " +
+                             std::to_string(size.height) + " pixels: each side must be 1 to " +
+                             std::to_string(kMostPixels));
+    const long long samples = 1LL * size.width * size.height * scene.samples * scene.samples;
+    if (samples > kMostSamplesInAll)
+        return Status::usage("the picture has " + std::to_string(samples) + " samples, more than " +
+                             std::to_string(kMostSamplesInAll) +
+                             "; make it smaller or take fewer samples");
+    return {};
+}
+
+Status CpuRenderer::render(const Scene& scene, Size size, const RenderOptions& options, Job& job,
+                           Frame& frame) {
+    if (Status status = checkSize(scene, size); !status.ok()) return status;
+    Expected<OrbitProgram> program = binder_.bind(scene, job);
+    if (!program) return program.status();
+    Expected<ColourPass> pass = ColourPass::make(scene, *program);
+    if (!pass) return pass.status();
+
+    const int perSide = scene.samples;
+    const Size sampled{size.width * perSide, size.height * perSide};
+    const Viewport view = viewportOf(scene, sampled);
+    frame.colour = Raster<float>(size, 4);
+    Raster<unsigned char> sides;
+    if (pass->hasOutline()) sides = Raster<unsigned char>(sampled, 1);
+    const std::vector<Tile> tiles = tilesOf(size);
+    const bool done = job.parallelFor(tiles.size(), [&](std::size_t index) {
+        const Tile& tile = tiles[index];
+        const Samples samples = samplesOf(tile, perSide, view, thirdCoordinate(scene));
+        const auto values = evaluate(*program, samples, pass->fields(), options);
+        std::vector<Colour> colours(samples.u.size());
+        const int across = tile.width * perSide;
+        for (std::size_t i = 0; i < colours.size(); ++i) {
+            colours[i] = pass->colour(values, colours.size(), i);
+            if (pass->hasOutline())
+                sides.at(tile.x * perSide + static_cast<int>(i) % across,
+                         tile.y * perSide + static_cast<int>(i) / across) =
+                    pass->inOutlinedSet(values, i);
+        }
+        average(tile, perSide, colours, frame);
+    });
+    if (!done) return Status::cancelled();
+    if (pass->hasOutline())
+        drawOutline(sides, perSide, options.lineWidth * scene.colour.outlineWidth,
+                    pass->outlineColour(), frame.colour);
+    return {};
+}
+
+Status CpuRenderer::measure(const Scene& scene, Size size, const std::vector<FieldName>& fields,
+                            const RenderOptions& options, Job& job,
+                            std::vector<Raster<double>>& rasters) {
+    if (Status status = checkSize(scene, size); !status.ok()) return status;
+    Expected<OrbitProgram> program = binder_.bind(scene, job);
+    if (!program) return program.status();
+    const Viewport view = viewportOf(scene, size);
+    rasters.clear();
+    for (FieldName field : fields) rasters.emplace_back(size, channelCount(field, *program));
+    const std::vector<Tile> tiles = tilesOf(size);
+    const bool done = job.parallelFor(tiles.size(), [&](std::size_t index) {
+        const Tile& tile = tiles[index];
+        const Samples samples = samplesOf(tile, 1, view, thirdCoordinate(scene));
+        const auto values = evaluate(*program, samples, fields, options);
+        const std::size_t count = samples.u.size();
+        for (std::size_t f = 0; f < fields.size(); ++f)
+            for (std::size_t i = 0; i < count; ++i)
+                for (int c = 0; c < rasters[f].channels(); ++c)
+                    rasters[f].at(tile.x + static_cast<int>(i) % tile.width,
+                                  tile.y + static_cast<int>(i) / tile.width, c) =
+                        values[f][static_cast<std::size_t>(c) * count + i];
+    });
+    return done ? Status{} : Status::cancelled();
+}
+
+Status CpuRenderer::measureAt(const Scene& scene, const std::vector<std::vector<double>>& points,
+                              const std::vector<FieldName>& fields, const RenderOptions& options,
+                              Job& job, std::vector<std::vector<double>>& rows) {
+    Expected<OrbitProgram> bound = binder_.bind(scene, job);
+    if (!bound) return bound.status();
+    // Up to three axes carry the first components of the start; a fourth is set point by point.
+    OrbitProgram& program = *bound;
+    const auto dimension = static_cast<std::size_t>(program.map->dimension);
+    const std::size_t axes = std::min<std::size_t>(3, dimension);
+    program.slice.axes.assign(axes, std::vector<double>(program.slice.origin.size(), 0.0));
+    for (std::size_t k = 0; k < dimension; ++k) program.slice.origin[k] = scene.start[k];
+    for (std::size_t k = 0; k < axes; ++k) program.slice.axes[k][k] = 1;
+    program.critical.reset();
+    rows.assign(points.size(), {});
+    const std::size_t parts = (points.size() + kPoints - 1) / kPoints;
+    const bool done = job.parallelFor(parts, [&](std::size_t part) {
+        const std::size_t first = part * kPoints;
+        const std::size_t count = std::min<std::size_t>(kPoints, points.size() - first);
+        std::vector<std::vector<double>> coordinates(3, std::vector<double>(count, 0.0));
+        bool fourth = false;
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto& point = points[first + i];
+            for (std::size_t k = 0; k < axes; ++k)
+                coordinates[k][i] = k < point.size() ? point[k] : scene.start[k];
+            fourth = fourth || point.size() > 3;
+        }
+        const auto run = [&](const OrbitProgram& own, std::size_t from, std::size_t size) {
+            const double* pointers[3] = {coordinates[0].data() + from, coordinates[1].data() + from,
+                                         coordinates[2].data() + from};
+            const auto values = evaluateFields(own, static_cast<int>(size), pointers, fields,
+                                               {options.flavour, options.shortcuts});
+            for (std::size_t i = 0; i < size; ++i)
+                for (const auto& channel : values)
+                    for (std::size_t at = i; at < channel.size(); at += size)
+                        rows[first + from + i].push_back(channel[at]);
+        };
+        if (!fourth) return run(program, 0, count);
+        for (std::size_t i = 0; i < count; ++i) {
+            OrbitProgram own = program;
+            if (points[first + i].size() > 3) own.slice.origin[3] = points[first + i][3];
+            run(own, i, 1);
+        }
+    });
+    return done ? Status{} : Status::cancelled();
+}
+
+}  // namespace versorium

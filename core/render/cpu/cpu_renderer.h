@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The renderer on the processor: threads, tiles, cancel and progress.
+
+#include "fields/evaluate.h"
+#include "render/bind.h"
+#include "render/renderer.h"
+
+namespace versorium {
+
+class CpuRenderer final : public Renderer {
+  public:
+    Status render(const Scene& scene, Size size, const RenderOptions& options, Job& job,
+                  Frame& frame) override;
+
+    // Fields at pixel centres as numbers, one raster each, channels side by side.
+    Status measure(const Scene& scene, Size size, const std::vector<FieldName>& fields,
+                   const RenderOptions& options, Job& job, std::vector<Raster<double>>& rasters);
+
+    // Fields at given points: each point has up to four numbers, which take the place of the first
+    // components of the start (the rest keep the scene's). rows[i] are the values of point i.
+    Status measureAt(const Scene& scene, const std::vector<std::vector<double>>& points,
+                     const std::vector<FieldName>& fields, const RenderOptions& options, Job& job,
+                     std::vector<std::vector<double>>& rows);
+
+    Binder& binder() { return binder_; }
+
+  private:
+    Binder binder_;
+};
+
+}  // namespace versorium

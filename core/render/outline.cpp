@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "render/outline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace versorium {
+
+void drawOutline(const Raster<unsigned char>& sides, int perSide, double width,
+                 const Colour& colour, Raster<float>& picture) {
+    const int w = sides.width(), h = sides.height();
+    Raster<unsigned char> line(sides.size(), 1);
+    // A sample is on the line when its centre is within half a width of a border between samples.
+    const double radius = std::max(0.5, 0.5 * width * perSide);
+    const int reach = static_cast<int>(std::ceil(radius));
+    const auto stamp = [&](double x, double y) {
+        for (int sy = std::max(0, static_cast<int>(y) - reach);
+             sy <= std::min(h - 1, static_cast<int>(y) + reach); ++sy)
+            for (int sx = std::max(0, static_cast<int>(x) - reach);
+                 sx <= std::min(w - 1, static_cast<int>(x) + reach); ++sx) {
+                const double dx = sx + 0.5 - x, dy = sy + 0.5 - y;
+                if (dx * dx + dy * dy <= radius * radius) line.at(sx, sy) = 1;
+            }
+    };
+    for (int y = 0; y < h; ++y)
+        for (int x = 0; x < w; ++x) {
+            if (x + 1 < w && sides.at(x, y) != sides.at(x + 1, y)) stamp(x + 1, y + 0.5);
+            if (y + 1 < h && sides.at(x, y) != sides.at(x, y + 1)) stamp(x + 0.5, y + 1);
+        }
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x) {
+            int covered = 0;
+            for (int sy = 0; sy < perSide; ++sy)
+                for (int sx = 0; sx < perSide; ++sx)
+                    covered += line.at(x * perSide + sx, y * perSide + sy);
+            if (covered == 0) continue;
+            float* p = &picture.at(x, y);
+            Colour over = colour;
+            over.a *= static_cast<double>(covered) / (perSide * perSide);
+            const Colour mixed = composite(over, {p[0], p[1], p[2], p[3]});
+            p[0] = static_cast<float>(mixed.r);
+            p[1] = static_cast<float>(mixed.g);
+            p[2] = static_cast<float>(mixed.b);
+            p[3] = static_cast<float>(mixed.a);
+        }
+}
+
+}  // namespace versorium

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "scene/scene.h"
+
+#include "base/embedded.h"
+#include "base/hash.h"
+
+namespace versorium {
+namespace {
+
+constexpr std::string_view kPresets = "presets/";
+
+// Four roots on the unit circle for Newton's map, a few spread ones for the others.
+RootList defaultRoots(const MapInfo& info, std::string_view list) {
+    if (list == "poles") return {};
+    if (info.name == "newton")
+        return {{{{1, 0, 0, 0}, 1},
+                 {{-0.5, 0.8660254037844386, 0, 0}, 1},
+                 {{-0.5, -0.8660254037844386, 0, 0}, 1}},
+                1};
+    return {{{{0, 0, 0, 0}, 2},
+             {{0.45, 0.3, 0.1, 0}, 1},
+             {{-0.4, 0.35, -0.2, 0}, 1},
+             {{-0.1, -0.5, 0.3, 0}, 1}},
+            1};
+}
+
+}  // namespace
+
+const MapKernels& mapOf(const Scene& scene) {
+    const MapKernels* map = findMap(scene.map);
+    assert(map);
+    return *map;
+}
+
+Scene sceneOf(const MapKernels& map) {
+    Scene scene;
+    scene.map = std::string(map.info.name);
+    for (const ParameterInfo& parameter : map.info.parameters)
+        scene.parameters[std::string(parameter.name)].assign(
+            parameter.value.begin(), parameter.value.begin() + widthOf(parameter.kind));
+    scene.start.assign(static_cast<std::size_t>(map.dimension), 0.0);
+    for (std::string_view list : map.info.lists)
+        scene.lists[std::string(list)] = defaultRoots(map.info, list);
+    const int axes = map.dimension == 1 ? 1 : 2;
+    for (int k = 0; k < axes; ++k) {
+        scene.slice.axes.push_back({{{stateComponent(map.info, k), 1.0}}});
+        scene.slice.centre.push_back(map.info.homeCentre[static_cast<std::size_t>(k)]);
+        scene.slice.centreLow.push_back(0);
+    }
+    scene.slice.height = map.info.homeHeight;
+    // A line has no second state: the picture shows it against its first parameter.
+    if (axes == 1) {
+        scene.slice.axes.insert(scene.slice.axes.begin(),
+                                {{{parameterComponent(map.info, 0), 1.0}}});
+        scene.slice.centre.insert(scene.slice.centre.begin(), map.info.parameters[0].value[0]);
+        scene.slice.centreLow.push_back(0);
+    }
+    if (map.info.field) scene.iterations = 3;
+    return scene;
+}
+
+std::string addAsset(Scene& scene, Asset asset) {
+    const std::string name = sha256(asset.bytes);
+    scene.assets[name] = std::make_shared<const Asset>(std::move(asset));
+    return "asset:" + name;
+}
+
+std::vector<std::string> presetNames() {
+    std::vector<std::string> names;
+    for (std::string_view name : embeddedNames(kPresets))
+        names.emplace_back(name.substr(kPresets.size(), name.size() - kPresets.size() - 5));
+    return names;
+}
+
+Expected<Scene> presetNamed(const std::string& name) {
+    const std::string_view text = embeddedText(std::string(kPresets) + name + ".json");
+    if (text.empty()) {
+        std::string all;
+        for (const std::string& known : presetNames()) all += (all.empty() ? "" : ", ") + known;
+        return Status::usage("no preset is named \"" + name + "\"; there are: " + all);
+    }
+    const Expected<Json> json = parseJson(text);
+    if (!json) return json.status().in("preset " + name);
+    Expected<Scene> scene = sceneFromJson(*json);
+    return scene ? std::move(scene) : scene.status().in("preset " + name);
+}
+
+}  // namespace versorium

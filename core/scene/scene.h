@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Scene: the one document. It says everything that a picture follows from: the map and what is
+// bound to it, the slice, what is measured and how it is coloured. A plain aggregate with defaults
+// and value semantics: undo is a list of scenes, a link is a scene, a PNG carries a scene.
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "colour/rules.h"
+#include "colour/scale.h"
+#include "geometry/roots.h"
+#include "maps/catalogue.h"
+
+namespace versorium {
+
+// Immutable bytes that a scene needs: a mesh, a grid or an image, named by their content.
+struct Asset {
+    std::string name;  // the file's own name; its ending says what it is
+    std::vector<unsigned char> bytes;
+};
+
+struct SliceAxis {
+    // Names of numbers ("c.re", "z.im", "power", "roots[2].x") with their weights.
+    std::vector<std::pair<std::string, double>> terms;
+    friend bool operator==(const SliceAxis&, const SliceAxis&) = default;
+};
+
+struct SliceSpec {
+    std::vector<SliceAxis> axes;
+    // Numbers on an axis start from 0 unless they stand here; all others keep their values.
+    std::map<std::string, double> origin;
+    std::vector<double> centre, centreLow;  // one for each axis
+    double height = 4;
+    friend bool operator==(const SliceSpec&, const SliceSpec&) = default;
+};
+
+struct ShapeSpec {
+    // An analytic shape as text, the name of a built-in mesh ("bunny"), or "asset:" and a SHA-256.
+    std::string source = "sphere(0.35)";
+    int resolution = 64;  // nodes along an edge of the grid made of a mesh
+    double padding = 6;   // free cells around it
+    std::string outside;  // "border", "distance", or empty: border for a loaded grid, else distance
+    bool zFastest = false;  // a loaded grid runs along z first
+    friend bool operator==(const ShapeSpec&, const ShapeSpec&) = default;
+};
+
+struct TrapSpec {
+    std::string kind = "point";  // point, line (through `point` at `angle`) or circle
+    std::vector<double> point{0, 0};
+    double radius = 1, angle = 0;
+    friend bool operator==(const TrapSpec&, const TrapSpec&) = default;
+};
+
+struct Colouring {
+    std::string rule = "palette";  // palette, gradient (A eqs 14-15), versor or phase
+    std::string field = "smooth_escape";
+    std::string palette = "versorium";
+    bool reverse = false;
+    std::string scale;                    // empty: the field's own
+    std::vector<double> range;            // low and high; empty: the field's own
+    std::string interior = "membership";  // the set in the palette's interior colour, or "none"
+    Gradient escaped{{0.02, 0.03, 0.08, 1}, {1, 0.95, 0.8, 1}, 1};
+    Gradient attracted{{0, 0, 0, 1}, {0, 0, 0, 1}, 1};
+    std::string smoothing = "ratio";  // none (eq 14), ratio (eq 15) or log-log
+    std::string outline = "none";     // "membership", "solid" or "none"
+    std::string outlineColour = "#ffffff";
+    double outlineWidth = 1;  // in line widths of the medium
+    friend bool operator==(const Colouring&, const Colouring&) = default;
+};
+
+struct Scene {
+    static constexpr int kVersion = 1;
+    std::string map = "quadratic";
+    std::map<std::string, std::vector<double>> parameters;  // every one of the map's
+    std::vector<double> start;                              // dimension numbers
+    std::optional<int> criticalStart;                       // instead of `start`
+    std::map<std::string, RootList> lists;
+    ShapeSpec shape;
+    SliceSpec slice;
+    int iterations = 200;
+    std::optional<double> escapeRadius;  // empty: the map's own
+    std::string escapeTest = "first";    // "last": only the last iterate is tested (A eq 12)
+    double iso = 0;                      // of the field `solid`
+    TrapSpec trap;
+    Colouring colour;
+    double aspect = 1;  // width / height of the picture
+    int samples = 2;    // along each side of a pixel, averaged in linear light
+    std::map<std::string, std::shared_ptr<const Asset>> assets;  // by SHA-256
+};
+
+inline constexpr int kMostIterations = 10000000;
+inline constexpr int kMostSamples = 8;
+inline constexpr std::size_t kMostRoots = 4096;
+inline constexpr std::size_t kMostAssetBytes = 32u << 20;
+
+const MapKernels& mapOf(const Scene& scene);
+// The map's own view: its dynamical plane with its default parameters.
+Scene sceneOf(const MapKernels& map);
+
+// Strict: ErrorKind::data with the path of the fault. Unknown keys, NaN and newer versions are
+// refused; what is absent takes the map's default.
+Expected<Scene> sceneFromJson(const Json& value);
+// Every default explicit.
+Json sceneToJson(const Scene& scene);
+
+// Puts an asset in and returns its name for ShapeSpec::source.
+std::string addAsset(Scene& scene, Asset asset);
+
+// Presets, embedded: "mandelbrot", "henon", ….
+std::vector<std::string> presetNames();
+Expected<Scene> presetNamed(const std::string& name);
+
+// JSON Schema (draft 2020-12) of a scene, every default written out.
+Json sceneSchema();
+
+}  // namespace versorium

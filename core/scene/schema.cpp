@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "colour/palette.h"
+#include "fields/field_names.h"
+#include "scene/scene.h"
+
+namespace versorium {
+namespace {
+
+Json words(const std::vector<std::string>& list) {
+    Json all = Json::array();
+    for (const std::string& word : list) all.push_back(word);
+    return all;
+}
+
+// Types follow from the values; descriptions stand by path.
+const std::pair<const char*, const char*> kDescriptions[] = {
+    {"versorium", "version of this format"},
+    {"map", "name of the map; \"versorium maps\" lists them"},
+    {"parameters", "every parameter of the map, by name; numbers, or lists of components"},
+    {"start",
+     "starting point, or {\"critical\": k}: the k-th critical point, solved at each pixel"},
+    {"lists",
+     "roots bound to the map: {\"scale\": s, \"roots\": [{\"q\": [w, x, y, z], \"power\": p}]}"},
+    {"shape", "the distance field of shape-modulus maps"},
+    {"shape.source", "an analytic shape, a built-in mesh, or asset:SHA-256"},
+    {"shape.resolution", "nodes along an edge of the grid made of a mesh"},
+    {"shape.padding", "free cells around a mesh"},
+    {"shape.outside", "beyond a grid's box: border, distance, or empty for the source's own"},
+    {"shape.z_fastest", "a loaded .f3d runs along z first"},
+    {"slice", "which points of (start x parameters) the picture shows"},
+    {"slice.axes", "1 to 3 directions, right and up first: weights of named numbers"},
+    {"slice.origin", "where numbers on an axis start from, if not from 0"},
+    {"slice.center", "coordinates of the picture's centre along the axes"},
+    {"slice.center_low", "low parts of the same, added for deep views"},
+    {"slice.height", "what the picture shows from bottom to top"},
+    {"iterations", "N, up to 10000000"},
+    {"escape_radius", "R, or \"auto\": the map's own"},
+    {"escape_test", "first: the first iterate outside; last: only the last one counts (A eq 12)"},
+    {"iso", "the field solid is 1 where log_modulus is below this"},
+    {"trap", "what the field trap measures the distance to"},
+    {"colour", "how fields become colours"},
+    {"colour.rule", "palette, gradient (A eqs 14-15), versor or phase"},
+    {"colour.field", "what the palette shows"},
+    {"colour.palette", "name of a palette"},
+    {"colour.reverse", "runs the palette backwards"},
+    {"colour.scale", "how values become positions; empty for the field's own"},
+    {"colour.range", "low and high value; empty for the field's own"},
+    {"colour.interior", "the set that is painted in the palette's interior colour"},
+    {"colour.escaped", "C_s, C_f (sRGB with alpha) and exponent e of orbits that escape"},
+    {"colour.attracted", "the same for orbits that do not"},
+    {"colour.smoothing", "none (eq 14), ratio (eq 15) or log-log"},
+    {"colour.outline", "the set whose boundary is drawn"},
+    {"colour.outline_colour", "#rrggbb"},
+    {"colour.outline_width", "in line widths of the medium"},
+    {"aspect", "width / height of the picture"},
+    {"samples", "along each side of a pixel, averaged in linear light"},
+};
+
+Json allowedWords(const std::string& path) {
+    if (path == "colour.rule") return words({"palette", "gradient", "versor", "phase"});
+    if (path == "colour.palette") return words(paletteNames());
+    if (path == "colour.scale")
+        return words({"", "linear", "log", "truncated_log", "sqrt", "cyclic"});
+    if (path == "colour.interior" || path == "colour.outline")
+        return words({"none", "membership", "solid"});
+    if (path == "colour.smoothing") return words({"none", "ratio", "log-log"});
+    if (path == "escape_test") return words({"first", "last"});
+    if (path == "trap.kind") return words({"point", "line", "circle"});
+    if (path == "shape.outside") return words({"", "border", "distance"});
+    Json all = Json::array();
+    if (path == "colour.field")
+        for (const FieldInfo& field : allFields()) all.push_back(std::string(field.name));
+    if (path == "map")
+        for (const MapKernels& map : catalogue()) all.push_back(std::string(map.info.name));
+    return all;
+}
+
+Json schemaOf(const Json& value, const std::string& path) {
+    Json schema;
+    for (const auto& [key, text] : kDescriptions)
+        if (path == key) schema["description"] = text;
+    // Those that depend on the map, or that take two forms, say only what they may be.
+    if (path == "start") {
+        schema["type"] = Json::array({"array", "object"});
+    } else if (path == "escape_radius") {
+        schema["type"] = Json::array({"number", "string"});
+    } else if (value.is_object()) {
+        schema["type"] = "object";
+        const bool open = path == "parameters" || path == "lists" || path == "slice.origin";
+        if (!open) {
+            schema["additionalProperties"] = false;
+            for (auto item = value.begin(); item != value.end(); ++item)
+                schema["properties"][item.key()] =
+                    schemaOf(*item, path.empty() ? item.key() : path + "." + item.key());
+        }
+    } else {
+        schema["type"] = value.is_array()            ? "array"
+                         : value.is_string()         ? "string"
+                         : value.is_boolean()        ? "boolean"
+                         : value.is_number_integer() ? "integer"
+                                                     : "number";
+        if (Json allowed = allowedWords(path); !allowed.empty()) schema["enum"] = allowed;
+    }
+    if (!value.is_object() || path == "parameters") schema["default"] = value;
+    return schema;
+}
+
+}  // namespace
+
+Json sceneSchema() {
+    // A map with a field and lists shows every section.
+    Json example = sceneToJson(sceneOf(*findMap("shape-modulus")));
+    Json schema = schemaOf(example, "");
+    Json result{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                {"title", "Versorium scene"}};
+    schema["properties"]["assets"] = Json{
+        {"type", "object"},
+        {"description", "files that the scene needs, by SHA-256: {\"name\", \"data\" in base64}"}};
+    for (auto item = schema.begin(); item != schema.end(); ++item) result[item.key()] = *item;
+    // Defaults depend on the map: these are the parameters and the home view of each.
+    for (const MapKernels& map : catalogue()) {
+        const Json scene = sceneToJson(sceneOf(map));
+        result["x-maps"][std::string(map.info.name)] = Json{{"parameters", scene["parameters"]},
+                                                            {"start", scene["start"]},
+                                                            {"slice", scene["slice"]},
+                                                            {"iterations", scene["iterations"]}};
+    }
+    return result;
+}
+
+}  // namespace versorium
