@@ -10,7 +10,7 @@ target_compile_options(versorium_flags INTERFACE
 target_compile_options(versorium_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 if(EMSCRIPTEN)
     target_compile_options(versorium_flags INTERFACE -msimd128)
-    target_link_options(versorium_flags INTERFACE -sALLOW_MEMORY_GROWTH=1 -sSTACK_SIZE=1048576)
+    target_link_options(versorium_flags INTERFACE -sALLOW_MEMORY_GROWTH=1 -sTOTAL_STACK=1048576)
 endif()
 
 # All code but the kernels (which choose for themselves): the baseline processor, no contraction.
