@@ -16,8 +16,11 @@ std::string number(double value) {
 }
 
 std::string complexNumber(double re, double im) {
-    return number(re) + (im < 0 || (im == 0 && 1 / im < 0) ? " \u2212 " : " + ") +
-           number(im < 0 ? -im : im) + "i";
+    if (im == 0) return number(re);
+    const double size = im < 0 ? -im : im;
+    const std::string imaginary = size == 1 ? "i" : number(size) + "i";
+    if (re == 0) return (im < 0 ? "\u2212" : "") + imaginary;
+    return number(re) + (im < 0 ? " \u2212 " : " + ") + imaginary;
 }
 
 std::string valueText(const ParameterInfo& parameter, const std::vector<double>& value) {
