@@ -138,7 +138,10 @@ Expected<PanelInfo> describeScene(CpuRenderer& renderer, const Scene& scene, Job
         if (twoValued)
             info.legend = {{pass->palette().at(1), "inside"}, {pass->palette().at(0), "outside"}};
         else
-            info.bar = ColourBar{std::string(field.label), pass->scale(), pass->palette()};
+            info.bar = ColourBar{pass->scale().kind == ScaleKind::truncatedLog
+                                     ? "ln of the " + std::string(field.label)
+                                     : std::string(field.label),
+                                 pass->scale(), pass->palette()};
         if (colouring.interior != "none" && !twoValued)
             info.legend.push_back({pass->palette().interior, colouring.interior == "solid"
                                                                  ? "solid set"
