@@ -103,7 +103,9 @@ TEST(Distance, OfTheTipOfTheMandelbrotSet) {
         const double estimate = valueAt(mandelbrot, FieldName::distance, -2 - x, 0);
         EXPECT_GT(estimate, 0.5 * x);
         EXPECT_LT(estimate, 2 * x);
-        if (x < 1e-3) EXPECT_NEAR(estimate / x, 1, 0.05);
+        if (x < 1e-3) {
+            EXPECT_NEAR(estimate / x, 1, 0.05);
+        }
     }
 }
 
@@ -148,7 +150,6 @@ TEST(Distance, AlongAnExponent) {
                      : programOf(name, {{"z.re", 1.3}, {"z.im", 0.4}}, {{"power"}}, 3, 1e6);
             program.iterations = 2;
             program.escapeRadius = 1;
-            program.onlyLastTested = false;
             // ½ |z| ln|z| / |d|z|/dp| at n = 0 … the start is outside already: n = 0 has no slope.
             EXPECT_EQ(valueAt(program, FieldName::distance, exponent), 0);
             program.escapeRadius = 1.6;

@@ -144,8 +144,8 @@ void main() {
         ++n;
     }
     outFields = vec4(float(n), norm, norm <= uSquaredRadius ? 0.0 : 1.0, 0.0);
-    outState = vec4(0.0);
-    for (int k = 0; k < D; ++k) outState[k] = state[k];
+    outState = vec4(state[0], D > 1 ? state[min(1, D - 1)] : 0.0, D > 2 ? state[min(2, D - 1)] : 0.0,
+                    D > 3 ? state[D - 1] : 0.0);
 }
 )";
 
