@@ -145,6 +145,12 @@ std::string formatNumber(double value) {
     if (std::isnan(value)) return "nan";
     if (std::isinf(value)) return value < 0 ? "-inf" : "inf";
     char buffer[40];
+    // Whole numbers of moderate size without an exponent: "10", not "1e+01".
+    if (value == std::floor(value) && std::abs(value) < 1e15 &&
+        (value != 0 || !std::signbit(value))) {
+        std::snprintf(buffer, sizeof buffer, "%.0f", value);
+        return buffer;
+    }
     for (int digits = 1; digits <= 17; ++digits) {
         std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
         if (std::strtod(buffer, nullptr) == value) break;

@@ -16,8 +16,11 @@ std::string number(double value) {
 }
 
 std::string complexNumber(double re, double im) {
-    return number(re) + (im < 0 || (im == 0 && 1 / im < 0) ? " \u2212 " : " + ") +
-           number(im < 0 ? -im : im) + "i";
+    if (im == 0) return number(re);
+    const double size = im < 0 ? -im : im;
+    const std::string imaginary = size == 1 ? "i" : number(size) + "i";
+    if (re == 0) return (im < 0 ? "\u2212" : "") + imaginary;
+    return number(re) + (im < 0 ? " \u2212 " : " + ") + imaginary;
 }
 
 std::string valueText(const ParameterInfo& parameter, const std::vector<double>& value) {
@@ -135,7 +138,10 @@ Expected<PanelInfo> describeScene(CpuRenderer& renderer, const Scene& scene, Job
         if (twoValued)
             info.legend = {{pass->palette().at(1), "inside"}, {pass->palette().at(0), "outside"}};
         else
-            info.bar = ColourBar{std::string(field.label), pass->scale(), pass->palette()};
+            info.bar = ColourBar{pass->scale().kind == ScaleKind::truncatedLog
+                                     ? "ln of the " + std::string(field.label)
+                                     : std::string(field.label),
+                                 pass->scale(), pass->palette()};
         if (colouring.interior != "none" && !twoValued)
             info.legend.push_back({pass->palette().interior, colouring.interior == "solid"
                                                                  ? "solid set"

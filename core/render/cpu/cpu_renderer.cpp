@@ -178,7 +178,8 @@ Status CpuRenderer::measureAt(const Scene& scene, const std::vector<std::vector<
     const auto dimension = static_cast<std::size_t>(program.map->dimension);
     const std::size_t axes = std::min<std::size_t>(3, dimension);
     program.slice.axes.assign(axes, std::vector<double>(program.slice.origin.size(), 0.0));
-    for (std::size_t k = 0; k < dimension; ++k) program.slice.origin[k] = scene.start[k];
+    for (std::size_t k = 0; k < dimension; ++k)
+        program.slice.origin[k] = k < axes ? 0.0 : scene.start[k];
     for (std::size_t k = 0; k < axes; ++k) program.slice.axes[k][k] = 1;
     program.critical.reset();
     rows.assign(points.size(), {});

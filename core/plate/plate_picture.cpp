@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "plate/plate_picture.h"
+
+#include "base/embedded.h"
+#include "io/png.h"
+#include "plate/scene_panels.h"
+
+namespace versorium {
+namespace {
+
+constexpr std::string_view kPlates = "plates/";
+
+Status assignPanel(PlateDocument& document, PlatePanel& panel, const Assignment& assignment) {
+    Expected<Scene> scene = sceneWithAssets(panel.scene, document.assets);
+    if (!scene) return scene.status();
+    if (Status status = assign(*scene, assignment); !status.ok()) return status;
+    panel.scene = withoutAssets(sceneToJson(*scene), document.assets);
+    return {};
+}
+
+// Assets that no panel names any more are dropped.
+Json assetsInUse(const PlateDocument& document) {
+    Json used = Json::object();
+    for (const PlatePanel& panel : document.plate.panels)
+        if (panel.kind == PanelKind::scene) {
+            Expected<Scene> scene = sceneWithAssets(panel.scene, document.assets);
+            if (scene) withoutAssets(sceneToJson(*scene), used);
+        }
+    return used;
+}
+
+}  // namespace
+
+std::vector<std::string> plateNames() {
+    std::vector<std::string> names;
+    for (std::string_view name : embeddedNames(kPlates))
+        names.emplace_back(name.substr(kPlates.size(), name.size() - kPlates.size() - 5));
+    return names;
+}
+
+Expected<PlateDocument> plateFromDocument(const Document& document) {
+    if (document.kind != "plate") return Status::data("a plate is expected, and this is a scene");
+    Expected<Plate> plate = plateFromJson(document.body);
+    if (!plate) return plate.status();
+    PlateDocument result{std::move(*plate), document.assets, {}};
+    ObjectReader reader(document.render, "render");
+    reader.number("width_mm", result.options.widthMillimetres, 60, 2000)
+        .number("dpi", result.options.dotsPerInch, 50, 2400)
+        .word("theme", result.options.theme, {"paper", "slide"})
+        .boolean("title", result.options.title)
+        .boolean("caption", result.options.caption);
+    if (const Status status = reader.finish(); !status.ok()) return status;
+    for (std::size_t i = 0; i < result.plate.panels.size(); ++i) {
+        PlatePanel& panel = result.plate.panels[i];
+        if (panel.kind != PanelKind::scene) continue;
+        Expected<Scene> scene = sceneWithAssets(panel.scene, result.assets);
+        if (!scene) return scene.status().in("panels[" + std::to_string(i) + "].scene");
+        // Every default explicit: the picture must not depend on later defaults.
+        panel.scene = withoutAssets(sceneToJson(*scene), result.assets);
+    }
+    return result;
+}
+
+Expected<PlateDocument> plateNamed(const std::string& name) {
+    const std::string_view text = embeddedText(std::string(kPlates) + name + ".json");
+    if (text.empty()) {
+        std::string all;
+        for (const std::string& known : plateNames()) all += (all.empty() ? "" : ", ") + known;
+        return Status::usage("no plate is named \"" + name + "\"; there are: " + all);
+    }
+    Expected<Json> json = parseJson(text);
+    if (!json) return json.status().in("plate " + name);
+    Expected<Document> document = documentFromJson(*json);
+    if (!document) return document.status().in("plate " + name);
+    Expected<PlateDocument> plate = plateFromDocument(*document);
+    return plate ? std::move(plate) : plate.status().in("plate " + name);
+}
+
+Status assign(PlateDocument& document, const Assignment& assignment) {
+    const std::size_t dot = assignment.key.find('.');
+    const std::string first = assignment.key.substr(0, dot);
+    for (PlatePanel& panel : document.plate.panels)
+        if (dot != std::string::npos && panel.name == first && panel.kind == PanelKind::scene) {
+            Expected<Scene> scene = sceneWithAssets(panel.scene, document.assets);
+            if (!scene) return scene.status();
+            const Assignment own{assignment.key.substr(dot + 1), assignment.value};
+            if (!knowsKey(*scene, own.key))
+                return Status::usage("--set " + assignment.key + ": the scene of panel " + first +
+                                     " has no key \"" + own.key + "\"");
+            return assignPanel(document, panel, own);
+        }
+    int reached = 0;
+    for (PlatePanel& panel : document.plate.panels) {
+        if (panel.kind != PanelKind::scene) continue;
+        Expected<Scene> scene = sceneWithAssets(panel.scene, document.assets);
+        if (!scene) return scene.status();
+        if (!knowsKey(*scene, assignment.key)) continue;
+        if (Status status = assignPanel(document, panel, assignment); !status.ok()) return status;
+        ++reached;
+    }
+    if (reached > 0) return {};
+    std::string names;
+    for (const PlatePanel& panel : document.plate.panels)
+        names += (names.empty() ? "" : ", ") + panel.name;
+    return Status::usage("--set " + assignment.key + ": no panel (" + names +
+                         ") has such a key; \"versorium schema\" lists the keys of a scene");
+}
+
+Expected<PlateFile> renderPlate(CpuRenderer& renderer, const PlateDocument& document, Job& job) {
+    Expected<PlatePicture> picture =
+        layoutPlate(document.plate, document.options, scenePanels(renderer, document.assets, job));
+    if (!picture) return picture.status();
+    Document carried;
+    carried.kind = "plate";
+    carried.body = plateToJson(document.plate);
+    carried.assets = assetsInUse(document);
+    carried.render = Json{{"width_mm", document.options.widthMillimetres},
+                          {"dpi", document.options.dotsPerInch},
+                          {"theme", document.options.theme},
+                          {"title", document.options.title},
+                          {"caption", document.options.caption}};
+    PngOptions png;
+    png.dotsPerInch = picture->dotsPerInch;
+    png.texts = {{"Software", "Versorium"},
+                 {"Description", picture->alternativeText},
+                 {kDocumentKeyword, printJson(documentToJson(carried))}};
+    if (picture->alternativeText.empty()) png.texts.erase(png.texts.begin() + 1);
+    Expected<std::vector<unsigned char>> bytes = encodePng(picture->pixels, png);
+    if (!bytes) return bytes.status();
+    return PlateFile{std::move(*bytes),
+                     picture->captionText + "\n\n" + picture->alternativeText + "\n"};
+}
+
+}  // namespace versorium

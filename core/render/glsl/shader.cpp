@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "render/glsl/shader.h"
+
+#include <algorithm>
+
+#include "trace/glsl.h"
+
+namespace versorium {
+namespace {
+
+constexpr const char* kHead = R"(#version 300 es
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+precision highp sampler3D;
+)";
+
+// Functions with the meaning that the processor's have (math/power.h, shape/field.h).
+constexpr const char* kLibrary = R"(
+uniform sampler2D uRoots;
+uniform int uListSize[2];
+uniform sampler3D uGrid;
+uniform vec3 uGridMinimum;
+uniform vec3 uGridMaximum;
+uniform bool uOutsideAddsDistance;
+uniform ivec3 uOverride[4];
+uniform int uOverrideCount;
+
+float overrideValue[4];
+
+float v_log(float x) {
+    return x > 0.0 ? log(x) : uintBitsToFloat(x == 0.0 ? 0xff800000u : 0x7fc00000u);
+}
+float v_pow(float x, float y) {
+    if (y == 0.0) return 1.0;
+    if (x == 0.0) return y > 0.0 ? 0.0 : uintBitsToFloat(0x7f800000u);
+    return x > 0.0 ? pow(x, y) : uintBitsToFloat(0x7fc00000u);
+}
+float v_atan2(float y, float x) {
+    return x == 0.0 && y == 0.0 ? 0.0 : atan(y, x);
+}
+vec2 complexProduct(vec2 a, vec2 b) {
+    return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
+}
+vec4 quaternionProduct(vec4 a, vec4 b) {
+    return vec4(a.x * b.x - a.y * b.y - a.z * b.z - a.w * b.w,
+                a.x * b.y + a.y * b.x + a.z * b.w - a.w * b.z,
+                a.x * b.z - a.y * b.w + a.z * b.x + a.w * b.y,
+                a.x * b.w + a.y * b.z - a.z * b.y + a.w * b.x);
+}
+bool isWhole(float e) {
+    return floor(abs(e)) == abs(e) && abs(e) <= 256.0;
+}
+vec2 complexPower(vec2 z, float e) {
+    if (!isWhole(e)) {
+        float modulus = v_pow(length(z), e);
+        float turn = e * v_atan2(z.y, z.x);
+        return modulus * vec2(cos(turn), sin(turn));
+    }
+    vec2 result = vec2(1.0, 0.0);
+    for (int left = int(abs(e)); left > 0; left >>= 1) {
+        if ((left & 1) == 1) result = complexProduct(result, z);
+        z = complexProduct(z, z);
+    }
+    return e < 0.0 ? vec2(result.x, -result.y) / dot(result, result) : result;
+}
+vec4 quaternionPower(vec4 q, float e) {
+    if (!isWhole(e)) {
+        float modulus = v_pow(length(q), e);
+        float size = length(q.yzw);
+        float turn = e * v_atan2(size, q.x);
+        float scale = size == 0.0 ? 0.0 : modulus * sin(turn) / size;
+        return vec4(modulus * cos(turn), scale * q.yzw);
+    }
+    vec4 result = vec4(1.0, 0.0, 0.0, 0.0);
+    for (int left = int(abs(e)); left > 0; left >>= 1) {
+        if ((left & 1) == 1) result = quaternionProduct(result, q);
+        q = quaternionProduct(q, q);
+    }
+    return e < 0.0 ? vec4(result.x, -result.yzw) / dot(result, result) : result;
+}
+int listSize(int list) {
+    return uListSize[list];
+}
+float listItem(int list, int item, int component) {
+    for (int k = 0; k < uOverrideCount; ++k)
+        if (uOverride[k] == ivec3(list, item, component)) return overrideValue[k];
+    if (component == 4) return texelFetch(uRoots, ivec2(item, 2 * list + 1), 0).x;
+    return texelFetch(uRoots, ivec2(item, 2 * list), 0)[component];
+}
+float fieldAt(vec3 p) {
+    ivec3 nodes = textureSize(uGrid, 0);
+    vec3 u = clamp((p - uGridMinimum) / (uGridMaximum - uGridMinimum), 0.0, 1.0) * vec3(nodes - 1);
+    ivec3 cell = clamp(ivec3(floor(u)), ivec3(0), max(nodes - 2, 0));
+    vec3 t = u - vec3(cell);
+    ivec3 far = min(cell + 1, nodes - 1);
+    float x00 = mix(texelFetch(uGrid, cell, 0).x, texelFetch(uGrid, ivec3(far.x, cell.yz), 0).x, t.x);
+    float x10 = mix(texelFetch(uGrid, ivec3(cell.x, far.y, cell.z), 0).x,
+                    texelFetch(uGrid, ivec3(far.xy, cell.z), 0).x, t.x);
+    float x01 = mix(texelFetch(uGrid, ivec3(cell.xy, far.z), 0).x,
+                    texelFetch(uGrid, ivec3(far.x, cell.y, far.z), 0).x, t.x);
+    float x11 = mix(texelFetch(uGrid, ivec3(cell.x, far.yz), 0).x, texelFetch(uGrid, far, 0).x, t.x);
+    float value = mix(mix(x00, x10, t.y), mix(x01, x11, t.y), t.z);
+    vec3 beyond = max(vec3(0.0), max(uGridMinimum - p, p - uGridMaximum));
+    return uOutsideAddsDistance ? value + length(beyond) : value;
+}
+
+)";
+
+// COUNT numbers fix an orbit: D of the state, P parameters, 4 overrides.
+constexpr const char* kFrame = R"(
+uniform float uOrigin[COUNT];
+uniform float uRight[COUNT];
+uniform float uUp[COUNT];
+uniform vec2 uCentre;
+uniform float uPixel;
+uniform vec2 uSize;
+uniform int uIterations;
+uniform float uSquaredRadius;
+
+layout(location = 0) out vec4 outFields;
+layout(location = 1) out vec4 outState;
+
+float squaredNorm(float state[D]) {
+    float sum = 0.0;
+    for (int k = 0; k < D; ++k) sum += state[k] * state[k];
+    return sum;
+}
+float number(int k, vec2 uv) {
+    return uOrigin[k] + uv.x * uRight[k] + uv.y * uUp[k];
+}
+void main() {
+    vec2 uv = uCentre + (gl_FragCoord.xy - 0.5 * uSize) * uPixel;
+    float state[D];
+    float parameters[P];
+    for (int k = 0; k < D; ++k) state[k] = number(k, uv);
+    for (int k = 0; k < P; ++k) parameters[k] = number(D + k, uv);
+    for (int k = 0; k < 4; ++k) overrideValue[k] = number(D + P + k, uv);
+    int n = 0;
+    float norm = squaredNorm(state);
+    while (norm <= uSquaredRadius && n < uIterations) {
+        mapStep(state, parameters);
+        norm = squaredNorm(state);
+        ++n;
+    }
+    outFields = vec4(float(n), norm, norm <= uSquaredRadius ? 0.0 : 1.0, 0.0);
+    outState = vec4(state[0], D > 1 ? state[min(1, D - 1)] : 0.0, D > 2 ? state[min(2, D - 1)] : 0.0,
+                    D > 3 ? state[D - 1] : 0.0);
+}
+)";
+
+}  // namespace
+
+std::string escapeShader(const Tape& tape) {
+    const int parameters = std::max(tape.parameterSize, 1);
+    std::string text = kHead;
+    text += "#define D " + std::to_string(tape.stateSize) + "\n";
+    text += "#define P " + std::to_string(parameters) + "\n";
+    text += "#define COUNT (D + P + 4)\n";
+    return text + kLibrary + glslStep(tape) + kFrame;
+}
+
+}  // namespace versorium

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The GLSL ES 3.00 frame around a map's generated step: source text only. The fragment shader takes
+// a pixel through the slice, iterates until escape, and writes fields:
+//   outFields  (step of escape or N, squared norm of the last iterate, 1 when escaped, 0)
+//   outState   the last iterate
+// Lists of roots come as a texture (RGBA32F, two rows a list: components, then powers), the
+// distance grid as a 3D texture (R32F) that is interpolated by hand.
+
+#include <string>
+
+#include "trace/tape.h"
+
+namespace versorium {
+
+std::string escapeShader(const Tape& tape);
+
+}  // namespace versorium

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The subcommands. Each adds itself to the command line; its action returns a Status, which main
+// turns into an exit code: 0, 2 usage, 65 bad data, 74 input or output.
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/json.h"
+#include "base/status.h"
+#include "jobs/job.h"
+#include "render/renderer.h"
+
+namespace versorium {
+
+using Action = std::function<Status()>;
+
+// What all commands share.
+struct CommandLine {
+    CLI::App& app;
+    int threads = 0;
+    Action action;  // of the subcommand that was given
+
+    // A subcommand with its help and examples.
+    CLI::App* add(const std::string& name, const std::string& help, const std::string& examples);
+    void run(CLI::App* command, Action todo) {
+        command->callback([this, todo = std::move(todo)] { action = todo; });
+    }
+};
+
+void addListCommands(CommandLine& line);     // maps, palettes, plates, presets, schema, glsl
+void addRenderCommands(CommandLine& line);   // render, plate
+void addMeasureCommands(CommandLine& line);  // eval, orbit
+void addFileCommands(CommandLine& line);     // shape, scene
+
+// Shows progress with an estimate of what is left, on a terminal only.
+class ProgressLine {
+  public:
+    explicit ProgressLine(Job& job, std::string what);
+    ~ProgressLine();
+
+  private:
+    struct State;
+    std::shared_ptr<State> state_;
+};
+
+Status print(const std::string& text);
+Expected<Size> parseSize(const std::string& text);
+Expected<Flavour> parseFlavour(const std::string& text);
+
+}  // namespace versorium

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "io/files.h"
+#include "base/embedded.h"
+#include "commands/commands.h"
+#include "io/document.h"
+#include "io/grid_files.h"
+#include "render/bind.h"
+
+namespace versorium {
+namespace {
+
+struct ShapeRequest {
+    std::string source, output;
+    int resolution = 100;
+    double padding = 4;
+    bool json = false;
+};
+
+// An analytic shape on the nodes of the box [-1/2, 1/2]³.
+Grid sampled(const ShapeTree& shape, int resolution, Job& job) {
+    Grid grid;
+    grid.resolution = glm::ivec3(resolution);
+    const auto n = static_cast<std::size_t>(resolution);
+    grid.values.resize(n * n * n);
+    job.parallelFor(n, [&](std::size_t layer) {
+        const auto at = [&](int i) { return -0.5 + i / static_cast<double>(resolution - 1); };
+        const int z = static_cast<int>(layer);
+        for (int y = 0; y < resolution; ++y)
+            for (int x = 0; x < resolution; ++x)
+                grid.at(x, y, z) = distance(shape, at(x), at(y), at(z));
+    });
+    return grid;
+}
+
+Expected<Grid> gridOf(const ShapeRequest& request, Job& job) {
+    ShapeSpec spec;
+    spec.resolution = request.resolution;
+    spec.padding = request.padding;
+    const std::span<const unsigned char> mesh = embedded("meshes/" + request.source + ".obj");
+    if (!mesh.empty()) return gridFromBytes(mesh, request.source + ".obj", spec, job);
+    if (request.source.find('(') != std::string::npos) {
+        Expected<ShapeTree> shape = parseShape(request.source);
+        if (!shape) return shape.status();
+        return sampled(*shape, request.resolution, job);
+    }
+    Expected<Bytes> bytes = readFile(request.source);
+    if (!bytes) return bytes.status();
+    Expected<Grid> grid = gridFromBytes(*bytes, request.source, spec, job);
+    return grid ? std::move(grid) : grid.status().in(request.source);
+}
+
+Status makeGrid(const ShapeRequest& request, int threads) {
+    Job job(threads);
+    const ProgressLine progress(job, "distances");
+    Expected<Grid> grid = gridOf(request, job);
+    if (!grid) return grid.status();
+    const std::vector<unsigned char> bytes = writeGrid(*grid);
+    if (Status status = writeFileAtomically(request.output, bytes); !status.ok()) return status;
+    if (!request.json || request.output == "-") return {};
+    const auto [low, high] = std::minmax_element(grid->values.begin(), grid->values.end());
+    return print(printJson(
+        Json{{"output", request.output},
+             {"nodes", Json::array({grid->resolution.x, grid->resolution.y, grid->resolution.z})},
+             {"least", *low},
+             {"greatest", *high}}));
+}
+
+Status printScene(const std::string& path) {
+    Expected<Document> document = readDocument(path);
+    if (!document) return document.status();
+    return print(printJson(documentToJson(*document)));
+}
+
+}  // namespace
+
+void addFileCommands(CommandLine& line) {
+    CLI::App* shape = line.add(
+        "shape", "Turn a mesh, a picture or an analytic shape into a grid of signed distances.",
+        "  versorium shape dragon.ply -o dragon.f3d --resolution 200\n"
+        "  versorium shape bunny -o bunny.f3d\n"
+        "  versorium shape \"smooth_union(0.05, sphere(0.3), box(0.1, 0.4, 0.1))\" -o s.f3d\n"
+        "The grid's box is exactly [-1/2, 1/2]^3: a mesh is centred and scaled to fit it.\n");
+    const auto request = std::make_shared<ShapeRequest>();
+    shape
+        ->add_option("SHAPE", request->source,
+                     "mesh (OBJ, PLY, STL), picture, built-in mesh or shape expression")
+        ->required();
+    shape->add_option("-o,--output", request->output, ".f3d file, or - for standard output")
+        ->required();
+    shape->add_option("--resolution", request->resolution, "nodes along each axis")
+        ->check(CLI::Range(8, 1024))
+        ->capture_default_str();
+    shape->add_option("--padding", request->padding, "free cells around a mesh")
+        ->check(CLI::Range(0.0, 100.0))
+        ->capture_default_str();
+    shape->add_flag("--json", request->json, "report as JSON");
+    line.run(shape, [request, &line] { return makeGrid(*request, line.threads); });
+
+    CLI::App* scene =
+        line.add("scene", "Print the scene or plate that a picture or a file carries, as JSON.",
+                 "  versorium scene picture.png > scene.json\n"
+                 "  versorium scene plate.png | versorium plate - -o again.png\n");
+    const auto path = std::make_shared<std::string>();
+    scene->add_option("FILE", *path, "PNG or JSON file, or -")->required();
+    line.run(scene, [path] { return printScene(*path); });
+}
+
+}  // namespace versorium

@@ -1,0 +1,287 @@
+# SPDX-License-Identifier: MIT
+"""The command line as a user meets it: results, round trips, and what happens to bad input.
+
+Run as: test_cli.py PROGRAM [unittest arguments]
+"""
+
+import array
+import json
+import math
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = os.path.abspath(sys.argv.pop(1))
+USAGE, DATA, INPUT_OUTPUT = 2, 65, 74
+
+
+class CommandLine(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def run_program(self, *arguments, stdin=b""):
+        return subprocess.run(
+            [PROGRAM, *arguments], input=stdin, capture_output=True, timeout=120, check=False
+        )
+
+    def good(self, *arguments, stdin=b""):
+        result = self.run_program(*arguments, stdin=stdin)
+        self.assertEqual(result.returncode, 0, result.stderr.decode())
+        self.assertEqual(result.stderr, b"", "nothing on stderr without a terminal")
+        return result.stdout
+
+    def refused(self, code, *arguments, says=(), stdin=b""):
+        """One clear line, the right exit code, and nothing left behind."""
+        before = sorted(os.listdir(self.folder))
+        result = self.run_program(*arguments, stdin=stdin)
+        message = result.stderr.decode()
+        self.assertEqual(result.returncode, code, message)
+        for word in (says,) if isinstance(says, str) else says:
+            self.assertIn(word, message)
+        if code != USAGE or message.startswith("versorium:"):
+            self.assertEqual(message.count("\n"), 1, message)
+        self.assertEqual(sorted(os.listdir(self.folder)), before)
+        return message
+
+    def read(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def write(self, name, content):
+        with open(self.path(name), "wb") as file:
+            file.write(content if isinstance(content, bytes) else content.encode())
+        return self.path(name)
+
+    def numbers(self, name):
+        """The shape and the values of an .npy file of doubles."""
+        content = self.read(name)
+        self.assertEqual(content[:8], b"\x93NUMPY\x01\x00")
+        (length,) = struct.unpack("<H", content[8:10])
+        head = content[10 : 10 + length].decode()
+        self.assertIn("'<f8'", head)
+        values = array.array("d", content[10 + length :])
+        return head, values
+
+
+class Results(CommandLine):
+    def test_lists(self):
+        maps = json.loads(self.good("maps", "--json"))
+        self.assertGreaterEqual(len(maps), 20)
+        self.assertIn("mandelbulb", [one["name"] for one in maps])
+        for command in ("palettes", "plates", "presets"):
+            self.assertGreater(len(json.loads(self.good(command, "--json"))), 4)
+        schema = json.loads(self.good("schema"))
+        self.assertIn("iterations", schema["properties"])
+
+    def test_every_preset_renders_the_same_on_any_number_of_threads(self):
+        for preset in self.good("presets").decode().split():
+            for threads in ("1", "3"):
+                self.good("render", preset, "-o", self.path(threads), "--size", "40x30",
+                          "--samples", "1", "--threads", threads)
+            self.assertEqual(self.read("1"), self.read("3"), preset)
+
+    def test_a_picture_carries_what_made_it(self):
+        self.good("render", "julia", "-o", self.path("a.png"), "--size", "50x40",
+                  "--set", "c=-0.8,0.156", "--set", "palette=fire", "--samples", "3")
+        document = self.good("scene", self.path("a.png"))
+        body = json.loads(document)["body"]
+        self.assertEqual(body["parameters"]["c"], [-0.8, 0.156])
+        self.assertEqual(body["colour"]["palette"], "fire")
+        self.good("render", self.path("a.png"), "-o", self.path("b.png"))
+        self.good("render", "-", "-o", self.path("c.png"), stdin=document)
+        self.assertEqual(self.read("a.png"), self.read("b.png"))
+        self.assertEqual(self.read("a.png"), self.read("c.png"))
+
+    def test_a_picture_carries_its_mesh(self):
+        tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+        mesh = self.write("t.obj", tetrahedron)
+        self.good("render", "shape-modulus", "-o", self.path("a.png"), "--size", "30x30",
+                  "--set", "shape=" + mesh, "--set", "resolution=16")
+        os.remove(mesh)
+        self.good("render", self.path("a.png"), "-o", self.path("b.png"))
+        self.assertEqual(self.read("a.png"), self.read("b.png"))
+
+    def test_every_plate_at_both_widths_and_back(self):
+        for plate in self.good("plates").decode().split():
+            for width in ("89", "178"):
+                self.good("plate", plate, "-o", self.path("a.png"), "--width", width,
+                          "--dpi", "60", "--set", "samples=1", "--set", "iterations=20")
+                self.assertIn(b"N", self.read("a.txt"))
+            self.good("plate", self.path("a.png"), "-o", self.path("b.png"))
+            self.assertEqual(self.read("a.png"), self.read("b.png"), plate)
+
+    def test_set_in_plates_reaches_panels(self):
+        self.good("plate", "shape-modulus-6", "-o", self.path("a.png"), "--dpi", "50",
+                  "--set", "resolution=12", "--set", "padding=1", "--set", "b.alpha=3", "--set", "samples=1")
+        panels = json.loads(self.good("scene", self.path("a.png")))["body"]["panels"]
+        alphas = [panel["scene"]["parameters"]["alpha"] for panel in panels]
+        self.assertEqual(alphas[1], 3)
+        self.assertNotEqual(alphas[0], 3)
+        self.assertEqual({panel["scene"]["shape"]["resolution"] for panel in panels}, {12})
+
+    def test_fields_as_numbers(self):
+        self.good("render", "mandelbrot", "-o", self.path("m.png"), "--size", "32x20",
+                  "--save-field", "escape_step=" + self.path("n.npy"),
+                  "--save-field", "versor=" + self.path("d.npy"))
+        head, values = self.numbers("n.npy")
+        self.assertIn("(20, 32)", head)
+        self.assertEqual(max(values), 500)
+        head, values = self.numbers("d.npy")
+        self.assertIn("(20, 32, 2)", head)
+
+    def test_eval_and_orbit(self):
+        points = self.write("p.csv", "name,x,y\na,0.5,0.25\nb,-1,2\n")
+        table = self.good("eval", "quadratic", "--points", points, "--field", "image_modulus",
+                          "--set", "c=0,0").decode().split()
+        self.assertEqual(table[0], "x,y,image_modulus")
+        # |z²| = |z|², and both are exact here.
+        self.assertEqual(float(table[1].split(",")[2]), 0.3125)
+        self.assertEqual(float(table[2].split(",")[2]), 5)
+        orbit = json.loads(self.good("orbit", "julia", "--at", "0,0", "-n", "3", "--json",
+                                     "--set", "c=-1,0"))
+        self.assertEqual([row["point"][0] for row in orbit["orbit"]], [0, -1, 0, -1])
+        self.assertFalse(orbit["escaped"])
+
+    def test_a_grid_of_a_sphere_is_its_distance(self):
+        self.good("shape", "sphere(0.3)", "-o", self.path("s.f3d"), "--resolution", "33")
+        content = self.read("s.f3d")
+        self.assertEqual(struct.unpack("<3i", content[:12]), (33, 33, 33))
+        middle = struct.unpack_from("<d", content, 60 + 8 * (16 * 33 * 33 + 16 * 33 + 16))
+        self.assertEqual(middle[0], -0.3)
+        points = self.write("p.csv", "x,y,z\n0.25,0,0\n0,0.4,0\n")
+        table = self.good("eval", "shape-modulus", "--points", points,
+                          "--set", "shape=" + self.path("s.f3d"), "--set", "alpha=2",
+                          "--set", "beta=0", "--field", "image_modulus").decode().split()
+        # A node of the grid is exact, and |f| = e^(alpha phi).
+        self.assertAlmostEqual(float(table[1].split(",")[3]), math.exp(-0.1), places=12)
+        self.assertAlmostEqual(float(table[2].split(",")[3]), math.exp(0.2), places=3)
+
+    def test_standard_output(self):
+        png = self.good("render", "julia", "-o", "-", "--size", "20x20")
+        self.assertTrue(png.startswith(b"\x89PNG"))
+        self.good("render", "-", "-o", self.path("again.png"), stdin=png)
+        self.assertEqual(self.read("again.png"), png)
+
+
+class BadInput(CommandLine):
+    def out(self):
+        return ("-o", self.path("out.png"))
+
+    def test_names(self):
+        self.refused(USAGE, "render", "nonsense", *self.out(), says=("nonsense", "mandelbrot"))
+        self.refused(USAGE, "plate", "nonsense", *self.out(), says="quadratic")
+        self.refused(USAGE, "glsl", "nonsense", says="maps")
+        self.refused(USAGE, "no-such-command")
+        self.refused(USAGE, "render")
+        self.refused(USAGE, "render", "julia", *self.out(), "--flavour", "hot", says="exact")
+
+    def test_files(self):
+        self.refused(INPUT_OUTPUT, "render", self.path("none.json"), *self.out(), says="none.json")
+        self.refused(INPUT_OUTPUT, "shape", self.path("none.obj"), "-o", self.path("g.f3d"),
+                     says="none.obj")
+        self.write("folder-that-is-a-file", "")
+        self.refused(INPUT_OUTPUT, "render", "julia", "--size", "8x8",
+                     "-o", self.path("folder-that-is-a-file/x.png"), says="x.png")
+        self.refused(INPUT_OUTPUT, "render", "julia", "--size", "8x8", "-o", self.path("no/x.png"))
+        if os.path.exists("/dev/full"):
+            self.refused(INPUT_OUTPUT, "render", "julia", "--size", "8x8", "-o", "/dev/full",
+                         says="/dev/full")
+            with open("/dev/full", "wb") as full:
+                result = subprocess.run([PROGRAM, "maps"], stdout=full, stderr=subprocess.PIPE,
+                                        check=False)
+            self.assertEqual(result.returncode, INPUT_OUTPUT)
+
+    def test_an_old_file_survives_a_failure(self):
+        old = self.write("out.png", b"old")
+        self.refused(USAGE, "render", "julia", "-o", old, "--size", "0x10")
+        self.assertEqual(self.read("out.png"), b"old")
+
+    def test_sizes(self):
+        for size in ("0x10", "10x0", "1000000000x10", "10x1000000000", "9x", "x", "-3x4", "1e3x5"):
+            self.refused(USAGE, "render", "julia", *self.out(), "--size=" + size, says="--size")
+        self.refused(USAGE, "render", "julia", *self.out(), "--size", "32768x32768",
+                     says="samples")
+        self.refused(USAGE, "plate", "quadratic", *self.out(), "--width", "1")
+        self.refused(USAGE, "plate", "quadratic", *self.out(), "--dpi", "nan")
+
+    def test_values(self):
+        for text in ("alpha=nan", "alpha=inf", "alpha=", "alpha=1,2", "alpha=x"):
+            self.refused(USAGE, "render", "shape-modulus", *self.out(), "--set", text, says=text)
+        for text in ("c=nan,0", "c=1", "height=0", "height=-1", "iterations=1.5",
+                     "iterations=99999999", "nothing=1", "samples=0", "palette=none",
+                     "escape_radius=big", "center=1,2,3"):
+            self.refused(USAGE, "render", "julia", *self.out(), "--set", text,
+                         says=text.split("=")[0])
+        self.refused(USAGE, "render", "julia", *self.out(), "--set", "novalue", says="key=value")
+        self.refused(USAGE, "plate", "quadratic", *self.out(), "--set", "alpha=2", says="alpha")
+        self.refused(USAGE, "orbit", "julia", "--at", "1,2,3")
+        self.refused(USAGE, "eval", "julia", "--points", "-", "--field", "none", says="log_modulus")
+
+    def test_scenes(self):
+        for content, word in (
+            ("", "JSON"),
+            ("{", "line 1"),
+            ('{"map": "quadratic", "map": "cubic"}', "twice"),
+            ('{"versorium": 99}', "newer"),
+            ('{"mop": 1}', "mop"),
+            ('{"map": "nonsense"}', "nonsense"),
+            ('{"parameters": {"c": [0, NaN]}}', "line 1"),
+            ('{"slice": {"axes": [{"w.re": 1}, {"z.im": 1}]}}', "slice.axes[0]"),
+            ('{"iterations": "many"}', "iterations"),
+            ("[" * 100000, "deep"),
+            ('{"panels": []}', "plate"),
+        ):
+            path = self.write("s.json", content)
+            self.refused(DATA, "render", path, *self.out(), says=("s.json", word))
+
+    def test_pictures(self):
+        self.good("render", "julia", "-o", self.path("a.png"), "--size", "20x20")
+        whole = self.read("a.png")
+        for length in (10, 40, len(whole) // 2, len(whole) - 3):
+            torn = self.write("torn.png", whole[:length])
+            self.refused(DATA, "render", torn, *self.out(), says="torn.png")
+        # The same picture without its text.
+        bare, at = whole[:8], 8
+        while at < len(whole):
+            (length,) = struct.unpack(">I", whole[at : at + 4])
+            if whole[at + 4 : at + 8] != b"iTXt":
+                bare += whole[at : at + 12 + length]
+            at += 12 + length
+        self.refused(DATA, "scene", self.write("bare.png", bare), says="carries no scene")
+
+    def test_meshes(self):
+        grid = ("-o", self.path("g.f3d"))
+        self.refused(DATA, "shape", self.write("e.obj", "v 0 0 0\nv 1 0 0\n"), *grid,
+                     says="e.obj")
+        self.refused(DATA, "shape", self.write("f.obj", "f 1 2 3\n"), *grid, says="f.obj")
+        head = "ply\nformat binary_little_endian 1.0\nelement vertex %d\nproperty float x\n" \
+               "property float y\nproperty float z\nelement face 1\n" \
+               "property list uchar int vertex_indices\nend_header\n"
+        for count in (2**31 - 1, 2**31 + 1, 2**32, 2**40, 2**63, 2**64 // 3 + 1):
+            self.refused(DATA, "shape", self.write("l.ply", head % count), *grid, says="l.ply")
+            self.refused(DATA, "shape", self.write("l.f3d", struct.pack("<3i", 2**30, 2**30, 2**30)
+                                                   + bytes(48)), *grid, says="l.f3d")
+        self.refused(DATA, "shape", self.write("s.stl", b"\0" * 80 + struct.pack("<I", 2**32 - 1)),
+                     *grid, says="s.stl")
+        self.refused(DATA, "shape", "star(5, 0.4)", *grid, says="character")
+        self.refused(USAGE, "shape", "sphere(0.3)", *grid, "--resolution", "4000")
+
+    def test_point_tables(self):
+        for content in ("", "a,b\n1,2\n", "x,y\n1\n", "x,y\n1,two\n"):
+            path = self.write("p.csv", content)
+            if content == "":
+                continue
+            self.refused(DATA, "eval", "julia", "--points", path, "--field", "membership",
+                         says="p.csv, line")
+
+
+if __name__ == "__main__":
+    unittest.main()
