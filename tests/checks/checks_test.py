@@ -35,6 +35,7 @@ class Dependencies(unittest.TestCase):
             ("core/fields/a.h", '#include "colour/palette.h"\n'),
             ("core/shape/a.cpp", '#include "io/files.h"\n'),
             ("core/math/a.h", '#include "complex.h"\n'),
+            ("native/a.h", '#include "nowhere/b.h"\n'),
             ("core/math/a.h", '#include "../math/complex.h"\n'),
             ("core/nowhere/a.h", "\n"),
             ("core/base/a.cpp", "#ifdef __EMSCRIPTEN__\n"),
@@ -59,6 +60,7 @@ class Dependencies(unittest.TestCase):
             ("core/base/a.cpp", "// std::exp differs, and so does <random>\n"),
             ("core/base/a.cpp", "/* throw\n std::sin( */\n"),
             ("core/base/a.cpp", "double expected = stdexp(2);\n"),
+            ("native/a.h", '#include "a.h"\n'),
             ("native/a.cpp", '#include "plate/plate.h"\ntry {} catch (int) {}\n'),
             ("web/a.cpp", "#include <emscripten/emscripten.h>\n"),
         ]:

@@ -89,8 +89,10 @@ def check_file(path, root, rules):
     for match in INCLUDE.finditer(code):
         target = match.group(1).split("/")[0] if "/" in match.group(1) else None
         where = f"{name}:{line_of(code, match.start(1))}"
+        if room in ("native", "web") and (root / room / match.group(1)).is_file():
+            continue  # its own
         if target is None or target in (".", ".."):
-            if path.parts[len(root.parts)] == "core":
+            if path.relative_to(root).parts[0] == "core":
                 yield f'{where}: "{match.group(1)}" is not rooted at core/'
         elif target not in rules:
             yield f'{where}: "{match.group(1)}" is of no room'
