@@ -75,6 +75,7 @@ void OrbitLanes::criticalStart(int axis) {
             }
             found = criticalPoint(map, *program_->critical, parameters.data(), environment, point,
                                   axis >= 0 ? parameterSlopes_.data() : nullptr,
+                                  axis >= 0 ? overrideSlopes_.data() : nullptr,
                                   axis >= 0 ? slope : nullptr);
         }
         for (std::size_t k = 0; k < states_.size(); ++k) {

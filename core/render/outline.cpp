@@ -5,6 +5,17 @@
 #include <cmath>
 
 namespace versorium {
+namespace {
+
+// `over` on top of an `under` that may be transparent itself (Porter and Duff).
+Colour onTop(const Colour& over, const Colour& under) {
+    const double rest = (1 - over.a) * under.a, alpha = over.a + rest;
+    if (alpha == 0) return under;
+    return {(over.a * over.r + rest * under.r) / alpha, (over.a * over.g + rest * under.g) / alpha,
+            (over.a * over.b + rest * under.b) / alpha, alpha};
+}
+
+}  // namespace
 
 void drawOutline(const Raster<unsigned char>& sides, int perSide, double width,
                  const Colour& colour, Raster<float>& picture) {
@@ -37,7 +48,7 @@ void drawOutline(const Raster<unsigned char>& sides, int perSide, double width,
             float* p = &picture.at(x, y);
             Colour over = colour;
             over.a *= static_cast<double>(covered) / (perSide * perSide);
-            const Colour mixed = composite(over, {p[0], p[1], p[2], p[3]});
+            const Colour mixed = onTop(over, {p[0], p[1], p[2], p[3]});
             p[0] = static_cast<float>(mixed.r);
             p[1] = static_cast<float>(mixed.g);
             p[2] = static_cast<float>(mixed.b);
