@@ -86,7 +86,7 @@ void countRate(benchmark::State& state, std::int64_t iterations) {
 // 26 coefficients, none of them zero, whose orbits from the unit square neither escape nor settle.
 const std::vector<double>& quartic() {
     static const std::vector<double> k = {
-        -0.41, -0.62, 0.05, 0.03,  0.52, 0.31, -0.04, 0.02, 0.11, 0.03, -0.05, 0.02, 0.21, 0, 0,
+        -0.41, -0.62, 0.05, 0.03,  0.52, 0.31, -0.04, 0.02, 0.11, 0.03, -0.05, 0.02,  0.21, 0, 0,
         0.63,  0.12,  0.04, -0.02, -0.3, 0.15, 0.05,  0.03, 0.22, 0.04, 0.03,  -0.04, -0.1, 0, 0};
     return k;
 }
@@ -152,8 +152,8 @@ void addPlanar(const KernelTarget& target, const std::string& name, const std::v
                                  squaredRadius, false);
         countRate(state, total);
         // 24 multiply-adds a step.
-        state.counters["flop/s"] = benchmark::Counter(48.0 * static_cast<double>(total),
-                                                      benchmark::Counter::kIsRate);
+        state.counters["flop/s"] =
+            benchmark::Counter(48.0 * static_cast<double>(total), benchmark::Counter::kIsRate);
     });
     if (!baseline.empty()) ratios().push_back({full, baseline, goal});
 }
@@ -168,8 +168,8 @@ void addThreads(int threads) {
         for (auto _ : state) {
             Job job(threads);
             Frame frame;
-            benchmark::DoNotOptimize(renderer.render(
-                scene, {kSide, kSide}, {.shortcuts = false}, job, frame));
+            benchmark::DoNotOptimize(
+                renderer.render(scene, {kSide, kSide}, {.shortcuts = false}, job, frame));
         }
     })->UseRealTime();
 }
@@ -212,8 +212,7 @@ void addAll() {
         benchmark::RegisterBenchmark(name, [function](benchmark::State& state) {
             double operations = 0;
             for (auto _ : state) operations += function(1000000);
-            state.counters["flop/s"] =
-                benchmark::Counter(operations, benchmark::Counter::kIsRate);
+            state.counters["flop/s"] = benchmark::Counter(operations, benchmark::Counter::kIsRate);
         });
     };
     for (const KernelTarget& target : kernelTargets()) {
@@ -236,8 +235,7 @@ class Collector : public benchmark::ConsoleReporter {
             if (run.run_type == Run::RT_Iteration) {
                 const bool real = run.benchmark_name().find("real_time") != std::string::npos;
                 const std::string name = run.run_name.function_name;
-                times_[name].push_back(real ? run.GetAdjustedRealTime()
-                                            : run.GetAdjustedCPUTime());
+                times_[name].push_back(real ? run.GetAdjustedRealTime() : run.GetAdjustedCPUTime());
                 const auto rate = run.counters.find("flop/s");
                 if (rate != run.counters.end()) rates_[name].push_back(rate->second.value);
             }

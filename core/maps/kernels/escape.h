@@ -405,8 +405,8 @@ struct EscapeKernel {
             storeState(z, lastRows, 0);
             storeLanes(count, counts);
             for (int i = 0; first + i < closer.size; ++i)
-                finish(closer.index[first + i], closer.base[first + i] + static_cast<int>(counts[i]),
-                       lastRows, i);
+                finish(closer.index[first + i],
+                       closer.base[first + i] + static_cast<int>(counts[i]), lastRows, i);
             closer.size = first;
         }
     }
