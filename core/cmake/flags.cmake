@@ -2,10 +2,17 @@
 # contraction is off except where a kernel is built in its fast flavour (core/CMakeLists.txt).
 # -fno-math-errno and -fno-trapping-math only drop side effects that nobody reads, so that square
 # roots and selections become single instructions.
+if(VERSORIUM_WEB AND NOT EMSCRIPTEN)
+    message(FATAL_ERROR "This preset needs Emscripten: run scripts/build web, or "
+        "emcmake cmake --preset web")
+endif()
 add_library(versorium_flags INTERFACE)
 target_compile_options(versorium_flags INTERFACE
     -Wall -Wextra -Wno-psabi -fno-math-errno -fno-trapping-math
     -fvisibility=hidden -fvisibility-inlines-hidden)
+# Numbers and registers share one template: its | and & join truth values on purpose.
+target_compile_options(versorium_flags INTERFACE
+    $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
 # g++ 12 warns wrongly of overlapping copies where it inlines std::string.
 target_compile_options(versorium_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 if(EMSCRIPTEN)

@@ -148,7 +148,7 @@ EscapeResult runEscape(const OrbitProgram& program, OrbitLanes& lanes, bool need
     const auto capacity = static_cast<std::size_t>(batch.capacity);
     std::vector<double> scratch(
         scratchSize(batch.capacity, program.map->parameters + kMostOverrides));
-    std::vector<std::int32_t> index(4 * capacity);
+    std::vector<std::int32_t> index(6 * capacity);
     EscapeResult result;
     result.steps.assign(capacity, 0);
     batch.steps = result.steps.data();

@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The checks can fail: each is shown what it must find, and what it must leave alone."""
+import pathlib
+import shutil
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+import catalogue
+import dependencies
+import kernel_symbols
+import tracked_files
+
+HERE = pathlib.Path(__file__).resolve().parent
+
+
+class Dependencies(unittest.TestCase):
+
+    def faults(self, name, text):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder).resolve()
+            (root / "tests/checks").mkdir(parents=True)
+            shutil.copy(HERE / "dependencies.txt", root / "tests/checks")
+            path = root / name
+            path.parent.mkdir(parents=True)
+            path.write_text(text)
+            return dependencies.check(root)[1]
+
+    def test_finds(self):
+        for name, text in [
+            ("core/math/a.h", '#include "maps/catalogue.h"\n'),
+            ("core/maps/deep/a.h", '  #  include "fields/evaluate.h"\n'),
+            ("core/fields/a.h", '#include "colour/palette.h"\n'),
+            ("core/shape/a.cpp", '#include "io/files.h"\n'),
+            ("core/math/a.h", '#include "complex.h"\n'),
+            ("native/a.h", '#include "nowhere/b.h"\n'),
+            ("core/math/a.h", '#include "../math/complex.h"\n'),
+            ("core/nowhere/a.h", "\n"),
+            ("core/base/a.cpp", "#ifdef __EMSCRIPTEN__\n"),
+            ("core/base/a.cpp", "// like ImGui\n"),
+            ("core/base/a.cpp", "#include <GLFW/glfw3.h>\n"),
+            ("core/base/a.cpp", "#include <GLES3/gl3.h>\n"),
+            ("core/base/a.cpp", "double a = std::exp(1.0);\n"),
+            ("core/base/a.cpp", "double a = std :: atan2 (1.0, 2.0);\n"),
+            ("core/base/a.cpp", "double a = ::sin(1.0);\n"),
+            ("core/base/a.cpp", "float a = std::powf(1, 2);\n"),
+            ("core/base/a.cpp", "#include <random>\n"),
+            ("core/base/a.cpp", "#include <math.h>\n"),
+            ("core/base/a.cpp", "auto r = std::from_chars(a, b, c);\n"),
+            ("core/base/a.cpp", "throw 1;\n"),
+        ]:
+            self.assertTrue(self.faults(name, text), text)
+
+    def test_leaves_alone(self):
+        for name, text in [
+            ("core/maps/a.h", '#include "math/complex.h"\n#include "maps/b.h"\n'),
+            ("core/base/a.cpp", "double a = std::sqrt(2.0) + exp(versorium::log(2.0));\n"),
+            ("core/base/a.cpp", "// std::exp differs, and so does <random>\n"),
+            ("core/base/a.cpp", "/* throw\n std::sin( */\n"),
+            ("core/base/a.cpp", "double expected = stdexp(2);\n"),
+            ("native/a.h", '#include "a.h"\n'),
+            ("native/a.cpp", '#include "plate/plate.h"\ntry {} catch (int) {}\n'),
+            ("web/a.cpp", "#include <emscripten/emscripten.h>\n"),
+        ]:
+            self.assertEqual(self.faults(name, text), [], text)
+
+    def test_line_numbers(self):
+        fault, = self.faults("core/base/a.cpp", "/* one\n two */\n#include \"maps/a.h\"\n")
+        self.assertTrue(fault.startswith("core/base/a.cpp:3:"), fault)
+
+    def test_no_cycle(self):
+        rules, faults = dependencies.read_rules(HERE / "dependencies.txt")
+        self.assertEqual(faults, [])
+        for room, allowed in rules.items():
+            for other in allowed:
+                self.assertNotIn(room, rules[other])
+
+
+class Catalogue(unittest.TestCase):
+
+    def faults(self, header, listing):
+        with tempfile.TemporaryDirectory() as folder:
+            maps = pathlib.Path(folder) / "core/maps"
+            maps.mkdir(parents=True)
+            (maps / "a.h").write_text(header)
+            (maps / "catalogue.txt").write_text(listing)
+            return catalogue.check(pathlib.Path(folder))[1]
+
+    HEADER = "struct One {\n    static constexpr MapInfo info{};\n};\ntemplate <class A>\n" \
+             "struct Two {\n    static constexpr MapInfo info{};\n};\nstruct Other {};\n"
+
+    def test_all(self):
+        self.assertEqual(self.faults(self.HEADER, "# maps\na.h One\na.h Two<int>\n"), [])
+        self.assertEqual(len(self.faults(self.HEADER, "a.h One\n")), 1)
+        self.assertEqual(len(self.faults(self.HEADER, "a.h One\na.h Two<int>\na.h Other\n")), 1)
+
+
+class KernelSymbols(unittest.TestCase):
+    TABLES = "0000 T versorium::doubles_v3_exact()\n0000 T versorium::floats_v3_exact()\n"
+
+    def test_all(self):
+        faults = lambda listing: list(kernel_symbols.faults_of(listing, "v3_exact"))
+        self.assertEqual(faults(self.TABLES + "00 W versorium::v3_exact::f()\n00 t memcpy\n"), [])
+        self.assertEqual(len(faults(self.TABLES + "00 W std::vector<int>::size() const\n")), 1)
+        self.assertEqual(len(faults(self.TABLES + "00 u versorium::baseline::f()\n")), 1)
+        self.assertEqual(len(faults(self.TABLES + "00 T versorium::v4_exact::f()\n")), 1)
+        self.assertEqual(len(faults("")), 2)
+
+
+class TrackedFiles(unittest.TestCase):
+
+    def test_all(self):
+        faults = lambda name, text: list(tracked_files.check_text(name, text))
+        begin = "// SPDX-License-Identifier: MIT\n"
+        self.assertEqual(faults("core/a.h", begin + "#pragma once\n"), [])
+        self.assertEqual(faults("a.md", "See tests/work/a and https://x.org/home/a\n"), [])
+        self.assertEqual(len(faults("a.md", "It is in /wor" "k/main/a.\n")), 1)
+        self.assertEqual(len(faults("a.sh", "curl https://registry.npm" "js.org/a\n")), 1)
+        self.assertEqual(len(faults("core/a.cpp", "int a;\n")), 1)
+        self.assertEqual(len(faults("core/a.h", begin + "int a;\n")), 1)
+        self.assertEqual(len(faults("core/a.cpp", begin + "// TO" "DO\n")), 1)
+        self.assertEqual(len(faults("core/a.cpp", begin + "int a; \n")), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
