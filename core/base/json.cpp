@@ -31,6 +31,10 @@ class StrictBuilder final : public nlohmann::json_sax<Json> {
     bool end_array() override { return close(); }
     bool key(std::string& value) override {
         key_ = value;
+        // Looking for a key takes time in proportion to their number.
+        if (stack_.back()->size() >= kJsonKeys)
+            return refuse(path() + ": more than " + std::to_string(kJsonKeys) +
+                          " keys in one object");
         if (stack_.back()->contains(value))
             return refuse(path() + ": the key stands twice; keep one of them");
         return true;
@@ -268,7 +272,7 @@ ObjectReader& ObjectReader::numbers(const char* key, std::vector<double>& value,
     bool good = list.is_array() && list.size() >= least && list.size() <= most;
     if (good)
         for (const Json& item : list) {
-            good = good && item.is_number();
+            good = good && item.is_number() && std::isfinite(item.get<double>());
             if (good) read.push_back(item.get<double>());
         }
     if (good) {

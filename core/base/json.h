@@ -17,6 +17,7 @@ namespace versorium {
 using Json = nlohmann::ordered_json;
 
 inline constexpr int kJsonDepth = 64;
+inline constexpr std::size_t kJsonKeys = 4096;  // of one object
 
 // Fails with ErrorKind::data: line and column of a syntax error, the path of a duplicate key.
 Expected<Json> parseJson(std::string_view text);

@@ -39,7 +39,10 @@ std::string pathOf(const Json& json, const std::string& key) {
         if (key == name) return at(json, path) ? path : "";
     for (const char* section : kSections)
         if (at(json, section + key)) return section + key;
-    if (at(json, "parameters") && at(json, "parameters")->contains(key)) return "parameters." + key;
+    // Names of parameters may hold dots themselves.
+    const std::string parameters = "parameters.";
+    const std::string name = key.starts_with(parameters) ? key.substr(parameters.size()) : key;
+    if (json.contains("parameters") && json["parameters"].contains(name)) return parameters + name;
     return "";
 }
 

@@ -128,8 +128,9 @@ std::vector<Complex<double>> criticalStarts(const MapKernels& map, const double*
         if (factors.empty() || factors.size() > kMostSolvedRoots) return {};
         all = rationalStarts(factors);
     }
-    // Multiple roots are critical points as well, and so are simple ones under Newton's map.
-    for (const Factor& factor : factors) all.push_back(factor.root);
+    // Simple roots are critical points of Newton's map as well.
+    if (map.info.name == "newton")
+        for (const Factor& factor : factors) all.push_back(factor.root);
     return all;
 }
 

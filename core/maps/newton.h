@@ -30,8 +30,8 @@ struct Newton {
                                   .source = "Q 3"};
     template <class R>
     static Complex<R> step(Complex<R> z, Complex<R> relaxation, Roots<R> roots) {
-        // Beside the sum goes the nearest root: at a root the step is 0, and its derivative that of
-        // the one factor, z - a (z - r)/m.
+        // Beside the sum goes the nearest root: at a root, and so close that 1/|z - r|² overflows,
+        // only its factor counts, z - a (z - r)/m.
         using Nearest = std::pair<Complex<R>, std::pair<R, R>>;  // z - r, |z - r|², m
         using Sum = std::pair<Complex<R>, Nearest>;
         const Complex<R> zero{R(0.0), R(0.0)};
@@ -49,7 +49,7 @@ struct Newton {
         const auto& [difference, squareAndPower] = sum.second;
         const Complex<R> next = z - relaxation * inverse(sum.first);
         const Complex<R> atRoot = z - relaxation * ((R(1.0) / squareAndPower.second) * difference);
-        return select(squareAndPower.first == R(0.0), atRoot, next);
+        return select(squareAndPower.first < R(1e-30), atRoot, next);
     }
 };
 

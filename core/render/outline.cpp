@@ -24,18 +24,38 @@ void drawOutline(const Raster<unsigned char>& sides, int perSide, double width,
     // half a sample within the line, half of it where the line ends at its centre.
     Raster<unsigned char> line(sides.size(), 1);
     const double radius = std::max(0.5, 0.5 * width * perSide);
-    const int reach = static_cast<int>(std::ceil(radius)) + 1;
+    const double outer = radius + 0.5, inner = radius - 0.5;
+    const auto halfChord = [](double r, double dy) {
+        const double square = r * r - dy * dy;
+        return square > 0 ? std::sqrt(square) : -1.0;
+    };
     const auto stamp = [&](double x, double y) {
-        for (int sy = std::max(0, static_cast<int>(y) - reach);
-             sy <= std::min(h - 1, static_cast<int>(y) + reach); ++sy)
-            for (int sx = std::max(0, static_cast<int>(x) - reach);
-                 sx <= std::min(w - 1, static_cast<int>(x) + reach); ++sx) {
-                const double dx = sx + 0.5 - x, dy = sy + 0.5 - y;
-                const double covered = radius + 0.5 - std::sqrt(dx * dx + dy * dy);
+        const int first = std::max(0, static_cast<int>(std::floor(y - outer)));
+        const int last = std::min(h - 1, static_cast<int>(std::ceil(y + outer)));
+        for (int sy = first; sy <= last; ++sy) {
+            const double dy = sy + 0.5 - y;
+            const double reach = halfChord(outer, dy), full = halfChord(inner, dy);
+            if (reach < 0) continue;
+            const int left = std::max(0, static_cast<int>(std::floor(x - reach)));
+            const int right = std::min(w - 1, static_cast<int>(std::ceil(x + reach)));
+            // Samples whose centres lie in the inner disc are covered wholly, without a square root
+            // for each.
+            const int fullFrom = full < 0 ? right + 1 : static_cast<int>(std::ceil(x - full - 0.5));
+            const int fullTo = full < 0 ? right : static_cast<int>(std::floor(x + full - 0.5));
+            unsigned char* row = line.row(sy);
+            for (int sx = left; sx <= right; ++sx) {
+                if (sx == std::max(left, fullFrom) && sx <= std::min(right, fullTo)) {
+                    const int end = std::min(right, fullTo);
+                    std::fill(row + sx, row + end + 1, static_cast<unsigned char>(255));
+                    sx = end;
+                    continue;
+                }
+                const double dx = sx + 0.5 - x;
+                const double covered = outer - std::sqrt(dx * dx + dy * dy);
                 const double parts = 255 * std::clamp(covered, 0.0, 1.0) + 0.5;
-                unsigned char& sample = line.at(sx, sy);
-                sample = std::max(sample, static_cast<unsigned char>(parts));
+                row[sx] = std::max(row[sx], static_cast<unsigned char>(parts));
             }
+        }
     };
     for (int y = 0; y < h; ++y)
         for (int x = 0; x < w; ++x) {

@@ -48,6 +48,12 @@ Size pictureSize(const Scene& scene, const PictureOptions& options) {
 Expected<std::vector<unsigned char>> renderPicture(CpuRenderer& renderer, const Scene& scene,
                                                    const PictureOptions& options, Job& job) {
     const Size size = pictureSize(scene, options);
+    if (Status status = checkSize(scene, size); !status.ok()) return status;
+    // Said before hours are spent, not after.
+    if ((4LL * size.width + 1) * size.height > kPngByteLimit)
+        return Status::usage("a picture of " + std::to_string(size.width) + " x " +
+                             std::to_string(size.height) + " pixels is too large for a PNG: " +
+                             std::to_string(kPngByteLimit / 4000000) + " megapixels fit");
     Frame frame;
     // Outlines of width 1 keep their share of the picture, whatever its size.
     const RenderOptions render{options.flavour, options.shortcuts,

@@ -113,7 +113,7 @@ void readTerms(const Json& value, const std::string& path, ObjectReader& owner, 
     }
     axis.terms.clear();
     for (auto item = value.begin(); item != value.end(); ++item) {
-        if (!item->is_number() || item->get<double>() == 0) {
+        if (!item->is_number() || item->get<double>() == 0 || !std::isfinite(item->get<double>())) {
             owner.fail(Status::data(path + "." + item.key() +
                                     ": the weight must be a number other than 0"));
             return;
@@ -147,7 +147,7 @@ void readSlice(ObjectReader& reader, Scene& scene) {
             slice.fail("origin", "an object such as {\"c.re\": 0.3} is expected");
         else
             for (auto item = origin->begin(); item != origin->end(); ++item) {
-                if (item->is_number())
+                if (item->is_number() && std::isfinite(item->get<double>()))
                     scene.slice.origin[item.key()] = item->get<double>();
                 else
                     slice.fail("origin", item.key() + " must be a number");

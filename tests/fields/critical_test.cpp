@@ -230,10 +230,14 @@ TEST(CriticalStart, CarriesItsDerivative) {
     rational.slice.origin.push_back(0);
     rational.slice.axes[0].assign(rational.slice.origin.size(), 0.0);
     rational.slice.axes[0].back() = 1;
-    for (int k = 0; k < 3; ++k) {
+    int escaping = 0;
+    for (int k = 0; k < 2; ++k) {
         rational.critical = k;
-        if (valueAt(rational, FieldName::membership, 1.9) == 0) check(rational, 1.9);
+        if (valueAt(rational, FieldName::membership, 1.9) != 0) continue;
+        ++escaping;
+        check(rational, 1.9);
     }
+    EXPECT_GT(escaping, 0);
 }
 
 }  // namespace

@@ -50,11 +50,25 @@ TEST(Picture, CarriesAssetsAndOptions) {
     scene.shape.source =
         addAsset(scene, {"tetrahedron.obj", {tetrahedron.begin(), tetrahedron.end()}});
     scene.shape.resolution = 12;
+    scene.shape.padding = 1;
     scene.colour.outline = "solid";
     expectToRenderItself(scene, {.size = {20, 20}}, "mesh");
     scene.colour.attracted.start.a = 0;
     scene.colour.rule = "gradient";
     expectToRenderItself(scene, {.size = {20, 20}, .flavour = Flavour::fast}, "transparent");
+}
+
+// A file that could not be written is refused before it is rendered.
+TEST(Picture, RefusesWhatNoPngHolds) {
+    CpuRenderer renderer;
+    Job job(1);
+    Scene scene = sceneOf(*findMap("quadratic"));
+    scene.samples = 1;
+    const auto png = renderPicture(renderer, scene, {.size = {16384, 16384}}, job);
+    ASSERT_FALSE(png.ok());
+    EXPECT_EQ(png.status().kind(), ErrorKind::usage);
+    EXPECT_NE(png.status().message().find("134 megapixels"), std::string::npos)
+        << png.status().message();
 }
 
 TEST(Picture, HasASizeOfItsOwn) {

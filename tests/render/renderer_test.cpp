@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -197,6 +198,26 @@ TEST(Outline, IsAsWideAsItSays) {
                 // A sample's share is kept in 255ths.
                 EXPECT_NEAR(across, width, 0.01) << width << " with " << perSide;
             }
+}
+
+// Around one lone sample: every pixel's share by its distance from the four sides' midpoints.
+TEST(Outline, IsRoundAroundAPoint) {
+    for (double width : {1.0, 3.0, 8.0, 13.5}) {
+        Raster<unsigned char> sides({31, 31}, 1);
+        sides.at(15, 15) = 1;
+        Raster<float> picture({31, 31}, 4);
+        drawOutline(sides, 1, width, {1, 1, 1, 1}, picture);
+        for (int y = 0; y < 31; ++y)
+            for (int x = 0; x < 31; ++x) {
+                double nearest = HUGE_VAL;
+                for (const auto& [mx, my] :
+                     {std::pair{0.5, 0.0}, {-0.5, 0.0}, {0.0, 0.5}, {0.0, -0.5}})
+                    nearest = std::min(nearest, std::hypot(x - 15 - mx, y - 15 - my));
+                EXPECT_NEAR(picture.at(x, y, 3), std::clamp(0.5 * width + 0.5 - nearest, 0.0, 1.0),
+                            0.0021)  // kept in 255ths
+                    << x << ", " << y << ", width " << width;
+            }
+    }
 }
 
 TEST(Outline, LeavesATransparentPictureTransparent) {
