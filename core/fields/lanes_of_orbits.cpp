@@ -75,6 +75,7 @@ void OrbitLanes::criticalStart(int axis) {
             }
             found = criticalPoint(map, *program_->critical, parameters.data(), environment, point,
                                   axis >= 0 ? parameterSlopes_.data() : nullptr,
+                                  axis >= 0 ? overrideSlopes_.data() : nullptr,
                                   axis >= 0 ? slope : nullptr);
         }
         for (std::size_t k = 0; k < states_.size(); ++k) {
@@ -147,7 +148,7 @@ EscapeResult runEscape(const OrbitProgram& program, OrbitLanes& lanes, bool need
     const auto capacity = static_cast<std::size_t>(batch.capacity);
     std::vector<double> scratch(
         scratchSize(batch.capacity, program.map->parameters + kMostOverrides));
-    std::vector<std::int32_t> index(4 * capacity);
+    std::vector<std::int32_t> index(6 * capacity);
     EscapeResult result;
     result.steps.assign(capacity, 0);
     batch.steps = result.steps.data();

@@ -55,7 +55,8 @@ Json parseValue(const std::string& text) {
         const std::size_t comma = std::min(text.find(',', start), text.size());
         const std::optional<double> number = parseDecimal(text.substr(start, comma - start));
         if (!number || !std::isfinite(*number)) return text;
-        if (*number == std::floor(*number) && std::abs(*number) < 1e15)
+        const bool negativeZero = *number == 0 && std::signbit(*number);
+        if (*number == std::floor(*number) && std::abs(*number) < 1e15 && !negativeZero)
             list.push_back(static_cast<std::int64_t>(*number));
         else
             list.push_back(*number);
@@ -235,10 +236,14 @@ Status assign(Scene& scene, const Assignment& assignment) {
                            "the map \"" + scene.map + "\" has no such key; its numbers are " +
                                numberNames(scene) + "; \"versorium schema\" lists the others");
         if (!parsed.is_number()) return refused(assignment, "a finite number is expected");
-        setNumber(scene, *number, parsed.get<double>());
-        return {};
+        Scene moved = scene;
+        // A starting point that is typed takes the place of a critical one.
+        if (number->kind == NumberKind::state) moved.criticalStart.reset();
+        setNumber(moved, *number, parsed.get<double>());
+        json = withoutAssets(sceneToJson(moved), assets);
+    } else {
+        put(json, path, parsed);
     }
-    put(json, path, parsed);
     Expected<Scene> changed = sceneFromJson(json);
     if (!changed) return refused(assignment, changed.status().message());
     auto kept = std::move(scene.assets);

@@ -16,15 +16,18 @@ struct Plane2 {
     double x, y;
 };
 
-Environment<SecondNumber> lifted(const Environment<double>& environment) {
+// `slopes` of the overrides may be null.
+Environment<SecondNumber> lifted(const Environment<double>& environment,
+                                 const double* slopes = nullptr) {
     Environment<SecondNumber> result;
     for (int k = 0; k < kMostLists; ++k) result.lists[k] = environment.lists[k];
     result.field = environment.field;
     result.overrideCount = environment.overrideCount;
     for (int k = 0; k < environment.overrideCount; ++k)
-        result.overrides[k] = {environment.overrides[k].list, environment.overrides[k].item,
-                               environment.overrides[k].component,
-                               SecondNumber(environment.overrides[k].value)};
+        result.overrides[k] = {
+            environment.overrides[k].list, environment.overrides[k].item,
+            environment.overrides[k].component,
+            SecondNumber({environment.overrides[k].value, slopes ? slopes[k] : 0.0}, {0.0, 0.0})};
     return result;
 }
 
@@ -113,7 +116,7 @@ bool hasCriticalPoints(const MapKernels& map) { return map.criticalPoints > 0 ||
 
 bool criticalPoint(const MapKernels& map, int k, const double* parameters,
                    const Environment<double>& environment, double* point,
-                   const double* parameterSlopes, double* slope) {
+                   const double* parameterSlopes, const double* overrideSlopes, double* slope) {
     if (map.criticalPoints > 0) {
         if (k >= map.criticalPoints) return false;
         map.critical(k, point, parameters);
@@ -137,7 +140,8 @@ bool criticalPoint(const MapKernels& map, int k, const double* parameters,
         const auto second = lifted(environment);
         const Slope byX = slopeOf(map, at, 1, 0, parameters, nullptr, second);
         const Slope byY = slopeOf(map, at, 0, 1, parameters, nullptr, second);
-        const Slope byS = slopeOf(map, at, 0, 0, parameters, parameterSlopes, second);
+        const Slope byS = slopeOf(map, at, 0, 0, parameters, parameterSlopes,
+                                  lifted(environment, overrideSlopes));
         Plane2 moved{};
         solve2(byX.derivative, byY.derivative, byS.derivative, moved);
         slope[0] = -moved.x, slope[1] = -moved.y;

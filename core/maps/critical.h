@@ -16,9 +16,11 @@ namespace versorium {
 bool hasCriticalPoints(const MapKernels& map);
 
 // The k-th critical point for these parameters; false where there is none. `slope`, when not null,
-// receives its derivative along the direction `parameterSlopes`.
+// receives its derivative along the direction of `parameterSlopes` and `overrideSlopes`, one for
+// each override of the environment.
 bool criticalPoint(const MapKernels& map, int k, const double* parameters,
                    const Environment<double>& environment, double* point,
-                   const double* parameterSlopes = nullptr, double* slope = nullptr);
+                   const double* parameterSlopes = nullptr, const double* overrideSlopes = nullptr,
+                   double* slope = nullptr);
 
 }  // namespace versorium

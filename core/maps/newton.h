@@ -30,18 +30,26 @@ struct Newton {
                                   .source = "Q 3"};
     template <class R>
     static Complex<R> step(Complex<R> z, Complex<R> relaxation, Roots<R> roots) {
-        // Beside the sum goes the least squared distance to a root: at a root the step is 0.
-        using Sum = std::pair<Complex<R>, R>;
-        const Sum sum = roots.fold(Sum{{R(0.0), R(0.0)}, R(1.0)}, [&](const Sum& before,
-                                                                      const Root<R>& root) {
+        // Beside the sum goes the nearest root: at a root the step is 0, and its derivative that of
+        // the one factor, z - a (z - r)/m.
+        using Nearest = std::pair<Complex<R>, std::pair<R, R>>;  // z - r, |z - r|², m
+        using Sum = std::pair<Complex<R>, Nearest>;
+        const Complex<R> zero{R(0.0), R(0.0)};
+        const Sum sum = roots.fold(Sum{zero, {zero, {R(1.0), R(1.0)}}}, [&](const Sum& before,
+                                                                            const Root<R>& root) {
             const Complex<R> difference = z - root.complex();
             const R square = squaredNorm(difference);
             const R scale = root.power / square;
+            const auto closer = square < before.second.second.first;
             return Sum{before.first + Complex<R>{scale * difference.re, -(scale * difference.im)},
-                       min(before.second, square)};
+                       {select(closer, difference, before.second.first),
+                        {select(closer, square, before.second.second.first),
+                         select(closer, root.power, before.second.second.second)}}};
         });
+        const auto& [difference, squareAndPower] = sum.second;
         const Complex<R> next = z - relaxation * inverse(sum.first);
-        return select(sum.second == R(0.0), z, next);
+        const Complex<R> atRoot = z - relaxation * ((R(1.0) / squareAndPower.second) * difference);
+        return select(squareAndPower.first == R(0.0), atRoot, next);
     }
 };
 

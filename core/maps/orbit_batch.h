@@ -45,7 +45,7 @@ struct OrbitBatch {
     bool needLast = true;
     // Whether orbits may be decided early where that changes no result.
     bool shortcuts = true;
-    // Room for escape(): scratchSize numbers and 4 * capacity integers.
+    // Room for escape(): scratchSize numbers and 6 * capacity integers.
     T* scratch = nullptr;
     std::int32_t* scratchIndex = nullptr;
 

@@ -55,6 +55,43 @@ Quaternion<R> polarPower(const Quaternion<R>& q, const R& e) {
     return {modulus * cos(angle), scale * q.x, scale * q.y, scale * q.z};
 }
 
+// z^e ln z, the derivative by the exponent, added to the slope of a whole power where the exponent
+// moves. Plain numbers have none.
+template <class Z, class R>
+Z alongExponent(const Z& raised, const Z&, const R&) {
+    return raised;
+}
+template <class R>
+Complex<Dual<R>> alongExponent(Complex<Dual<R>> raised, const Complex<Dual<R>>& z,
+                               const Dual<R>& exponent) {
+    if (!any(plainValue(exponent.slope) != plainValue(R(0.0)))) return raised;
+    const Complex<R> base{z.re.value, z.im.value}, value{raised.re.value, raised.im.value};
+    const R square = squaredNorm(base);
+    const Complex<R> logarithm{R(0.5) * log(square), argument(base)};
+    const Complex<R> slope = exponent.slope * (value * logarithm);
+    const auto moves = (exponent.slope != R(0.0)) & (square > R(0.0));
+    raised.re.slope = raised.re.slope + select(moves, slope.re, R(0.0));
+    raised.im.slope = raised.im.slope + select(moves, slope.im, R(0.0));
+    return raised;
+}
+template <class R>
+Quaternion<Dual<R>> alongExponent(Quaternion<Dual<R>> raised, const Quaternion<Dual<R>>& q,
+                                  const Dual<R>& exponent) {
+    if (!any(plainValue(exponent.slope) != plainValue(R(0.0)))) return raised;
+    const Quaternion<R> value{raised.w.value, raised.x.value, raised.y.value, raised.z.value};
+    const R x = q.x.value, y = q.y.value, z = q.z.value;
+    const R length = sqrt(x * x + y * y + z * z), square = length * length + q.w.value * q.w.value;
+    const R scale = select(length == R(0.0), R(0.0), atan2(length, q.w.value) / length);
+    const Quaternion<R> logarithm{R(0.5) * log(square), scale * x, scale * y, scale * z};
+    const Quaternion<R> slope = exponent.slope * (value * logarithm);
+    const auto moves = (exponent.slope != R(0.0)) & (square > R(0.0));
+    raised.w.slope = raised.w.slope + select(moves, slope.w, R(0.0));
+    raised.x.slope = raised.x.slope + select(moves, slope.x, R(0.0));
+    raised.y.slope = raised.y.slope + select(moves, slope.y, R(0.0));
+    raised.z.slope = raised.z.slope + select(moves, slope.z, R(0.0));
+    return raised;
+}
+
 template <class Z, class R>
 Z anyPower(const Z& z, const R& exponent) {
     const auto e = plainValue(exponent);
@@ -65,7 +102,8 @@ Z anyPower(const Z& z, const R& exponent) {
     if (!any(whole)) return polarPower(z, exponent);
     const Z raised = wholePower(z, select(whole, size, P(1.0)), unit(z));
     const auto negative = whole & (e < P(0.0));
-    const Z result = any(negative) ? select(negative, inverse(raised), raised) : raised;
+    const Z result = alongExponent(
+        any(negative) ? select(negative, inverse(raised), raised) : raised, z, exponent);
     return any(polar) ? select(polar, polarPower(z, exponent), result) : result;
 }
 

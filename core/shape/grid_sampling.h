@@ -1,128 +1,116 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A grid as a function of space: trilinear between its nodes, bilinear on a planar grid, which has
-// the same values for every z. With u = clamp((p - min) / span, 0, 1) · (nodes - 1) along each
-// axis, a point outside the box gets the value of the nearest border point; optionally the
-// distance to the box is added, so that a distance field goes on growing.
+// A grid as a function of space, over any number type: trilinear between its nodes, bilinear on a
+// planar grid, which has the same values for every z. With u = clamp((p - min) / span, 0, 1) ·
+// (nodes - 1) along each axis, a point outside the box gets the value of the nearest border point;
+// optionally the distance to the box is added, so that a distance field goes on growing. NaN goes
+// to the lower border. The gradient is that of the interpolant: constant along an axis on which the
+// point is outside, and on a face between cells that of the upper cell.
 
 #include "geometry/grid.h"
-#include "math/elementary.h"
+#include "math/dual.h"
 
 namespace versorium {
 
-enum class GridOutside {
+enum class Outside {
     border,    // the value at the nearest point of the box
     distance,  // that plus the distance to the box
 };
 
-// The value with its derivatives by x, y and z. Along an axis on which the point is outside, the
-// interpolant is constant. On a face between cells it is the derivative of the upper cell.
-template <class R>
-struct GridSample {
-    R value{};
-    R gradient[3]{};
-};
-
 namespace sampling {
 
-// Where a coordinate falls among the nodes of one axis.
 template <class R>
-struct AxisPlace {
-    int lower = 0, upper = 0;  // the nodes of its cell
-    R fraction{};              // from lower to upper
-    R slope{};                 // d fraction / d coordinate: 0 outside and on an axis of one node
-    R outside{};               // signed distance beyond the box, 0 within
+struct GridSample {
+    R value, dx, dy, dz;
+};
+
+// Where a coordinate falls: the cell's first node, the fraction inside of it, how far it lies
+// beyond the border, and the derivatives of both.
+template <class R>
+struct Along {
+    R cell, fraction, beyond, slope, beyondSlope;
 };
 
 template <class R>
-AxisPlace<R> placeOnAxis(double minimum, double maximum, int nodes, R coordinate) {
-    AxisPlace<R> place;
-    if (nodes < 2) return place;
-    const R low = static_cast<R>(minimum), high = static_cast<R>(maximum);
-    const R span = high - low;
-    const R share = (coordinate - low) / span;
-    // Written so that NaN goes to the lower border instead of to an index.
-    const R clamped = share > R(0) ? (share < R(1) ? share : R(1)) : R(0);
-    const R scaled = clamped * static_cast<R>(nodes - 1);
-    const int cell = static_cast<int>(scaled);
-    place.lower = cell < nodes - 2 ? cell : nodes - 2;
-    place.upper = place.lower + 1;
-    place.fraction = scaled - static_cast<R>(place.lower);
-    if (coordinate < low) {
-        place.outside = coordinate - low;
-    } else if (coordinate > high) {
-        place.outside = coordinate - high;
-    } else {
-        place.slope = static_cast<R>(nodes - 1) / span;
+Along<R> locate(const R& position, double minimum, double maximum, int nodes) {
+    using T = ScalarOf<R>;
+    if (nodes < 2) return {R(T(0)), R(T(0)), R(T(0)), R(T(0)), R(T(0))};
+    const T span = static_cast<T>(maximum - minimum);
+    const T last = static_cast<T>(nodes - 1);
+    const R relative = (position - R(static_cast<T>(minimum))) / R(span);
+    // The order of the arguments sends NaN to the first node.
+    const R clamped = min(max(R(T(0)), relative), R(T(1)));
+    const R u = clamped * R(last);
+    const R cell = min(floor(u), R(last - T(1)));
+    const auto inside = clamped == relative;
+    const R low = R(static_cast<T>(minimum)) - position;
+    const R high = position - R(static_cast<T>(maximum));
+    const R beyond = max(R(T(0)), max(low, high));
+    const R sign = select(high > low, R(T(1)), R(T(-1)));
+    return {cell, u - cell, beyond, select(inside, R(last / span), R(T(0))),
+            select(beyond > R(T(0)), sign, R(T(0)))};
+}
+
+template <PlainReal R>
+R mix(const R& a, const R& b, const R& t) {
+    return a + (b - a) * t;
+}
+
+template <PlainReal R>
+GridSample<R> sampleGrid(const Grid& grid, Outside outside, const R& x, const R& y, const R& z) {
+    using T = ScalarOf<R>;
+    const Along<R> ax = locate(x, grid.minimum.x, grid.maximum.x, grid.resolution.x);
+    const Along<R> ay = locate(y, grid.minimum.y, grid.maximum.y, grid.resolution.y);
+    const Along<R> az = locate(z, grid.minimum.z, grid.maximum.z, grid.resolution.z);
+    R corner[8];
+    const std::ptrdiff_t stepX = grid.resolution.x > 1 ? 1 : 0;
+    const std::ptrdiff_t stepY = grid.resolution.y > 1 ? grid.resolution.x : 0;
+    const std::ptrdiff_t stepZ =
+        grid.planar() ? 0 : std::ptrdiff_t{grid.resolution.x} * grid.resolution.y;
+    for (int i = 0; i < kLaneCount<R>; ++i) {
+        const std::size_t at =
+            grid.index(static_cast<int>(lane(ax.cell, i)), static_cast<int>(lane(ay.cell, i)),
+                       static_cast<int>(lane(az.cell, i)));
+        const double* first = grid.values.data() + at;
+        for (int k = 0; k < 8; ++k)
+            setLane(corner[k], i,
+                    static_cast<T>(
+                        first[(k & 1 ? stepX : 0) + (k & 2 ? stepY : 0) + (k & 4 ? stepZ : 0)]));
     }
-    return place;
-}
-
-template <class R>
-R mix(R a, R b, R fraction) {
-    return a + fraction * (b - a);
-}
-
-}  // namespace sampling
-
-// R is float or double. The grid needs at least one node along each axis. NaN coordinates give the
-// value at the lower border.
-template <class R>
-GridSample<R> sampleGridWithGradient(const Grid& grid, R x, R y, R z, GridOutside outside) {
-    using sampling::mix;
-    const auto px = sampling::placeOnAxis(grid.minimum.x, grid.maximum.x, grid.resolution.x, x);
-    const auto py = sampling::placeOnAxis(grid.minimum.y, grid.maximum.y, grid.resolution.y, y);
-    const auto pz = sampling::placeOnAxis(grid.minimum.z, grid.maximum.z, grid.resolution.z, z);
-    // Corner values as c[z][y][x], then the edges along x, the lines along y, the point.
-    R corner[2][2][2], alongX[2][2], alongY[2];
-    for (int k = 0; k < 2; ++k)
-        for (int j = 0; j < 2; ++j) {
-            const int row = j == 0 ? py.lower : py.upper, layer = k == 0 ? pz.lower : pz.upper;
-            corner[k][j][0] = static_cast<R>(grid.at(px.lower, row, layer));
-            corner[k][j][1] = static_cast<R>(grid.at(px.upper, row, layer));
-            alongX[k][j] = mix(corner[k][j][0], corner[k][j][1], px.fraction);
-        }
-    for (int k = 0; k < 2; ++k) alongY[k] = mix(alongX[k][0], alongX[k][1], py.fraction);
-
+    const R x00 = mix(corner[0], corner[1], ax.fraction);
+    const R x10 = mix(corner[2], corner[3], ax.fraction);
+    const R x01 = mix(corner[4], corner[5], ax.fraction);
+    const R x11 = mix(corner[6], corner[7], ax.fraction);
+    const R y0 = mix(x00, x10, ay.fraction), y1 = mix(x01, x11, ay.fraction);
     GridSample<R> sample;
-    sample.value = mix(alongY[0], alongY[1], pz.fraction);
-    const auto slopeX = [&](int k, int j) { return corner[k][j][1] - corner[k][j][0]; };
-    sample.gradient[0] = px.slope * mix(mix(slopeX(0, 0), slopeX(0, 1), py.fraction),
-                                        mix(slopeX(1, 0), slopeX(1, 1), py.fraction), pz.fraction);
-    sample.gradient[1] =
-        py.slope * mix(alongX[0][1] - alongX[0][0], alongX[1][1] - alongX[1][0], pz.fraction);
-    sample.gradient[2] = pz.slope * (alongY[1] - alongY[0]);
-    if (outside == GridOutside::border) return sample;
-
-    const R beyond =
-        sqrt(px.outside * px.outside + py.outside * py.outside + pz.outside * pz.outside);
-    sample.value += beyond;
-    if (beyond > R(0)) {
-        sample.gradient[0] += px.outside / beyond;
-        sample.gradient[1] += py.outside / beyond;
-        sample.gradient[2] += pz.outside / beyond;
+    sample.value = mix(y0, y1, az.fraction);
+    const R d0 = mix(corner[1] - corner[0], corner[3] - corner[2], ay.fraction);
+    const R d1 = mix(corner[5] - corner[4], corner[7] - corner[6], ay.fraction);
+    sample.dx = mix(d0, d1, az.fraction) * ax.slope;
+    sample.dy = mix(x10 - x00, x11 - x01, az.fraction) * ay.slope;
+    sample.dz = (y1 - y0) * az.slope;
+    if (outside == Outside::distance) {
+        const R away = sqrt(ax.beyond * ax.beyond + ay.beyond * ay.beyond + az.beyond * az.beyond);
+        const R scale = select(away > R(T(0)), R(T(1)) / away, R(T(0)));
+        sample.value = sample.value + away;
+        sample.dx = sample.dx + ax.beyond * ax.beyondSlope * scale;
+        sample.dy = sample.dy + ay.beyond * ay.beyondSlope * scale;
+        sample.dz = sample.dz + az.beyond * az.beyondSlope * scale;
     }
     return sample;
 }
 
-// The value alone, by the same operations.
-template <class R>
-R sampleGrid(const Grid& grid, R x, R y, R z, GridOutside outside) {
-    using sampling::mix;
-    const auto px = sampling::placeOnAxis(grid.minimum.x, grid.maximum.x, grid.resolution.x, x);
-    const auto py = sampling::placeOnAxis(grid.minimum.y, grid.maximum.y, grid.resolution.y, y);
-    const auto pz = sampling::placeOnAxis(grid.minimum.z, grid.maximum.z, grid.resolution.z, z);
-    const auto edge = [&](int row, int layer) {
-        return mix(static_cast<R>(grid.at(px.lower, row, layer)),
-                   static_cast<R>(grid.at(px.upper, row, layer)), px.fraction);
-    };
-    const auto line = [&](int layer) {
-        return mix(edge(py.lower, layer), edge(py.upper, layer), py.fraction);
-    };
-    const R value = grid.planar() ? line(0) : mix(line(pz.lower), line(pz.upper), pz.fraction);
-    if (outside == GridOutside::border) return value;
-    return value +
-           sqrt(px.outside * px.outside + py.outside * py.outside + pz.outside * pz.outside);
+template <PlainReal R>
+R gridValue(const Grid& grid, Outside outside, const R& x, const R& y, const R& z) {
+    return sampleGrid(grid, outside, x, y, z).value;
 }
+template <class R>
+Dual<R> gridValue(const Grid& grid, Outside outside, const Dual<R>& x, const Dual<R>& y,
+                  const Dual<R>& z) {
+    const GridSample<R> s = sampleGrid(grid, outside, x.value, y.value, z.value);
+    return {s.value, s.dx * x.slope + s.dy * y.slope + s.dz * z.slope};
+}
+
+}  // namespace sampling
 
 }  // namespace versorium

@@ -37,7 +37,7 @@ struct Escape {
         batch.lists[1] = &bindings.poles;
         batch.field = &bindings.field;
         steps.resize(capacity);
-        index.resize(4 * capacity);
+        index.resize(6 * capacity);
         scratch.resize(scratchSize(batch.capacity, map.parameters + kMostOverrides));
         batch.steps = steps.data();
         batch.scratch = scratch.data();

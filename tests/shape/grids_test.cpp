@@ -146,6 +146,10 @@ TEST(ImageDistance, RefusesAPictureWithoutBoundary) {
     EXPECT_FALSE(imageDistance(Raster<unsigned char>({1, 8}, 1, 1), job).ok());
 }
 
+using sampling::GridSample;
+using sampling::gridValue;
+using sampling::sampleGrid;
+
 Grid randomGrid(glm::ivec3 resolution) {
     Random random(21);
     Grid grid;
@@ -162,7 +166,7 @@ TEST(GridSampling, MeetsTheNodes) {
     for (int z = 0; z < 5; ++z)
         for (int y = 0; y < 3; ++y)
             for (int x = 0; x < 4; ++x)
-                EXPECT_NEAR(sampleGrid(grid, -1.0 + x, y / 2.0, 2 + z / 4.0, GridOutside::border),
+                EXPECT_NEAR(gridValue(grid, Outside::border, -1.0 + x, y / 2.0, 2 + z / 4.0),
                             grid.at(x, y, z), kRounding);
 }
 
@@ -178,12 +182,12 @@ TEST(GridSampling, ReproducesTrilinearFunctions) {
     Random random(2);
     for (int i = 0; i < 300; ++i) {
         const double x = random.uniform(-1, 2), y = random.uniform(0, 1), z = random.uniform(2, 3);
-        const GridSample<double> s = sampleGridWithGradient(grid, x, y, z, GridOutside::distance);
+        const GridSample<double> s = sampleGrid(grid, Outside::distance, x, y, z);
         // Values up to 40, slopes multiplied by up to 4 nodes.
         EXPECT_NEAR(s.value, f(x, y, z), 1e-12);
-        EXPECT_NEAR(s.gradient[0], 2 + y + z + 2 * y * z, 1e-12);
-        EXPECT_NEAR(s.gradient[1], -1 + x - 3 * z + 2 * x * z, 1e-12);
-        EXPECT_NEAR(s.gradient[2], 0.5 - 3 * y + x + 2 * x * y, 1e-12);
+        EXPECT_NEAR(s.dx, 2 + y + z + 2 * y * z, 1e-12);
+        EXPECT_NEAR(s.dy, -1 + x - 3 * z + 2 * x * z, 1e-12);
+        EXPECT_NEAR(s.dz, 0.5 - 3 * y + x + 2 * x * y, 1e-12);
     }
 }
 
@@ -194,44 +198,73 @@ TEST(GridSampling, ValueAndGradientAgree) {
         for (int i = 0; i < 500; ++i) {
             const double p[3] = {random.uniform(-2, 3), random.uniform(-1, 2),
                                  random.uniform(1, 4)};
-            for (const GridOutside outside : {GridOutside::border, GridOutside::distance}) {
+            for (const Outside outside : {Outside::border, Outside::distance}) {
                 const auto at = [&](int axis, double step) {
                     double q[3] = {p[0], p[1], p[2]};
                     q[axis] += step;
-                    return sampleGrid(grid, q[0], q[1], q[2], outside);
+                    return gridValue(grid, outside, q[0], q[1], q[2]);
                 };
-                const GridSample<double> s =
-                    sampleGridWithGradient(grid, p[0], p[1], p[2], outside);
+                const GridSample<double> s = sampleGrid(grid, outside, p[0], p[1], p[2]);
                 EXPECT_EQ(s.value, at(0, 0));
+                const double gradient[3] = {s.dx, s.dy, s.dz};
                 for (int axis = 0; axis < 3; ++axis) {
                     const double step = 1e-7;
                     const double slope = (at(axis, step) - at(axis, -step)) / (2 * step);
                     // Rounding 1e-16/1e-7; the curvature outside, where no face is crossed (one in
                     // 10⁵ points may), is of order 1.
-                    EXPECT_NEAR(s.gradient[axis], slope, 1e-6);
+                    EXPECT_NEAR(gradient[axis], slope, 1e-6);
                 }
             }
         }
     }
 }
 
+// Lanes take the same operations as scalars, so no tolerance is owed; duals carry the gradient.
+TEST(GridSampling, LanesAndDualsAgreeWithScalars) {
+    for (const glm::ivec3 resolution : {glm::ivec3(4, 3, 5), glm::ivec3(6, 4, 1)}) {
+        const Grid grid = randomGrid(resolution);
+        Random random(7);
+        for (const Outside outside : {Outside::border, Outside::distance})
+            for (int i = 0; i < 100; ++i) {
+                Lanes<double> x, y, z;
+                for (int k = 0; k < kLaneCount<Lanes<double>>; ++k) {
+                    setLane(x, k, random.uniform(-2, 3));
+                    setLane(y, k, random.uniform(-1, 2));
+                    setLane(z, k, random.uniform(1, 4));
+                }
+                const auto all = sampleGrid(grid, outside, x, y, z);
+                for (int k = 0; k < kLaneCount<Lanes<double>>; ++k) {
+                    const double p[3] = {lane(x, k), lane(y, k), lane(z, k)};
+                    const auto one = sampleGrid(grid, outside, p[0], p[1], p[2]);
+                    EXPECT_EQ(one.value, lane(all.value, k));
+                    EXPECT_EQ(one.dx, lane(all.dx, k));
+                    const Dual<double> dual =
+                        gridValue(grid, outside, Dual<double>(p[0], 0.0), Dual<double>(p[1], 1.0),
+                                  Dual<double>(p[2], 0.0));
+                    EXPECT_EQ(dual.value, one.value);
+                    EXPECT_EQ(dual.slope, one.dy);
+                }
+            }
+    }
+}
+
 TEST(GridSampling, OutsideIsTheBorderOrTheDistanceToIt) {
     const Grid grid = randomGrid({4, 3, 5});
-    EXPECT_EQ(sampleGrid(grid, -4.0, 5.0, 2.0, GridOutside::border), grid.at(0, 2, 0));
-    EXPECT_EQ(sampleGrid(grid, -4.0, 5.0, 2.0, GridOutside::distance), grid.at(0, 2, 0) + 5);
+    EXPECT_EQ(gridValue(grid, Outside::border, -4.0, 5.0, 2.0), grid.at(0, 2, 0));
+    EXPECT_EQ(gridValue(grid, Outside::distance, -4.0, 5.0, 2.0), grid.at(0, 2, 0) + 5);
     const Grid plane = randomGrid({4, 3, 1});
-    EXPECT_EQ(sampleGrid(plane, 2.0, 1.0, 77.0, GridOutside::distance), plane.at(3, 2));
-    EXPECT_NEAR(sampleGrid(grid, 0.3F, 0.4F, 2.6F, GridOutside::border),
-                sampleGrid(grid, 0.3, 0.4, 2.6, GridOutside::border), 1e-5);  // float's digits
+    EXPECT_EQ(gridValue(plane, Outside::distance, 2.0, 1.0, 77.0), plane.at(3, 2));
+    EXPECT_NEAR(gridValue(grid, Outside::border, 0.3F, 0.4F, 2.6F),
+                gridValue(grid, Outside::border, 0.3, 0.4, 2.6), 1e-5);  // float's digits
 }
 
 TEST(GridSampling, OddNumbersStayInBounds) {
     const Grid grid = randomGrid({4, 3, 5});
     const double infinity = std::numeric_limits<double>::infinity();
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(sampleGrid(grid, infinity, -infinity, 1e308, GridOutside::border), grid.at(3, 0, 4));
-    EXPECT_EQ(sampleGrid(grid, nan, nan, nan, GridOutside::border), grid.at(0, 0, 0));
-    EXPECT_EQ(sampleGrid(grid, infinity, 0.0, 2.0, GridOutside::distance), infinity);
+    EXPECT_EQ(gridValue(grid, Outside::border, infinity, -infinity, 1e308), grid.at(3, 0, 4));
+    EXPECT_EQ(gridValue(grid, Outside::border, nan, nan, nan), grid.at(0, 0, 0));
+    EXPECT_EQ(gridValue(grid, Outside::distance, infinity, 0.0, 2.0), infinity);
 }
 
 }  // namespace

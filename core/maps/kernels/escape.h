@@ -44,11 +44,13 @@ struct EscapeKernel {
     static constexpr int kP = kParameters<M>;
     static constexpr int kWidth = kLaneCount<R>;
     static constexpr int kStreams = kP + kMostOverrides;
+    static constexpr int kShort = 8;
 
     struct Orbits {
         T* state[kD];
         T* streams[kStreams];
         std::int32_t* index;
+        std::int32_t* base;  // iteration at which the state stands; not of active orbits
         int size = 0;
     };
 
@@ -86,6 +88,10 @@ struct EscapeKernel {
         leaving.index = batch.scratchIndex + batch.capacity;
         closer.index = batch.scratchIndex + 2 * batch.capacity;
         hole = batch.scratchIndex + 3 * batch.capacity;
+        leaving.base = batch.scratchIndex + 4 * batch.capacity;
+        closer.base = batch.scratchIndex + 5 * batch.capacity;
+        active.base = nullptr;
+        leaving.size = closer.size = 0;
     }
 
     const T* streamValues(int k) const {
@@ -202,7 +208,7 @@ struct EscapeKernel {
                 if (known[i])
                     batch.steps[active.index[i]] = batch.iterations + 1;
                 else
-                    move(active, i, active, write++);
+                    moveOrbit(active, i, active, write++);
             }
             active.size = write;
             pad(active);
@@ -210,6 +216,10 @@ struct EscapeKernel {
     }
 
     void move(const Orbits& from, int i, Orbits& to, int at) const {
+        to.base[at] = from.base[i];
+        moveOrbit(from, i, to, at);
+    }
+    void moveOrbit(const Orbits& from, int i, Orbits& to, int at) const {
         for (int k = 0; k < kD; ++k) to.state[k][at] = from.state[k][i];
         for (int k = 0; k < streamCount; ++k) to.streams[k][at] = from.streams[k][i];
         to.index[at] = from.index[i];
@@ -258,7 +268,6 @@ struct EscapeKernel {
         loadUniform(parameters);
         Environment<R> environment = environmentOf();
         holes = 0;
-        leaving.size = 0;
         for (int first = 0; first < active.size; first += kWidth) {
             loadStreams(active, first, parameters, environment);
             State z = loadState(active, first);
@@ -267,7 +276,8 @@ struct EscapeKernel {
             const auto inside = runBlock<Final>(z, arguments, steps, radius);
             forEachLane(!inside, first, [&](int i) {
                 if (i >= active.size) return;
-                move(active, i, leaving, leaving.size++);
+                leaving.base[leaving.size] = n;
+                moveOrbit(active, i, leaving, leaving.size++);
                 hole[holes++] = i;
             });
             storeState(z, active.state, first);
@@ -275,7 +285,7 @@ struct EscapeKernel {
         }
         fillHoles(compare);
         if (active.size > 0) pad(active);
-        if (leaving.size > 0) replay<Final>(n, steps);
+        walk<Final>(4 * kWidth);
     }
 
     // The last orbits take the places of those that are gone. Holes are in ascending order.
@@ -284,7 +294,7 @@ struct EscapeKernel {
             const int at = hole[--holes];
             const int last = --active.size;
             if (at == last) continue;
-            move(active, last, active, at);
+            moveOrbit(active, last, active, at);
             if (compare)
                 for (int k = 0; k < kD; ++k) reference[k][at] = reference[k][last];
         }
@@ -327,28 +337,25 @@ struct EscapeKernel {
         for (int k = 0; k < kD; ++k) batch.state[k][orbit] = lane(parts[k], at - first);
     }
 
-    // All orbits in `leaving` escape within `steps` steps from iteration n. Long blocks are walked
-    // in short ones first, so that the tests after each step are few.
+    // Orbits in `leaving` have left within a block that began at their base. They walk on in short
+    // blocks together, whenever they came, so that registers stay full: at least `least` of them
+    // are needed to go on.
     template <bool Final>
-    void replay(int n, int steps) {
-        constexpr int kShort = 8;
-        int done = 0;
-        for (; steps - done > kShort && leaving.size > 0; done += kShort)
-            shortBlock<Final>(n + done);
-        if (leaving.size > 0) lookAtEachStep(leaving, n + done, steps - done);
+    void walk(int least) {
+        while (leaving.size >= least && leaving.size > 0) {
+            shortBlock<Final>();
+            lookClosely(kWidth);
+        }
     }
 
-    // The first registers of `leaving` that hold an orbit which escapes within the next 8 steps
-    // are looked at closely; what is left moves on by 8 steps.
+    // Those that leave within the next kShort steps are to be looked at step by step.
     template <bool Final>
-    void shortBlock(int n) {
-        constexpr int kShort = 8;
+    void shortBlock() {
         pad(leaving);
         const R radius(batch.squaredRadius);
         R parameters[kP > 0 ? kP : 1];
         loadUniform(parameters);
         Environment<R> environment = environmentOf();
-        closer.size = 0;
         holes = 0;
         for (int first = 0; first < leaving.size; first += kWidth) {
             loadStreams(leaving, first, parameters, environment);
@@ -363,40 +370,44 @@ struct EscapeKernel {
             });
             storeState(z, leaving.state, first);
         }
+        for (int i = 0; i < leaving.size; ++i) leaving.base[i] += kShort;
         while (holes > 0) {
             const int at = hole[--holes];
             const int last = --leaving.size;
             if (at != last) move(leaving, last, leaving, at);
         }
-        if (closer.size > 0) lookAtEachStep(closer, n, kShort);
     }
 
-    // Finds the first step at which each orbit is outside, and stops it there.
-    void lookAtEachStep(Orbits& orbits, int n, int steps) {
-        pad(orbits);
+    // Finds the first step at which each orbit in `closer` is outside, and stops it there: a
+    // register's worth at a time while there are at least `least` of them.
+    void lookClosely(int least) {
         const R radius(batch.squaredRadius);
         R parameters[kP > 0 ? kP : 1];
         loadUniform(parameters);
         Environment<R> environment = environmentOf();
-        for (int first = 0; first < orbits.size; first += kWidth) {
-            loadStreams(orbits, first, parameters, environment);
-            State z = loadState(orbits, first);
+        while (closer.size >= least && closer.size > 0) {
+            const int first = closer.size > kWidth ? closer.size - kWidth : 0;
+            pad(closer);
+            loadStreams(closer, first, parameters, environment);
+            State z = loadState(closer, first);
             const R* from = parameters;
             const auto arguments = ArgumentList<ArgumentsOf<M, R>>::take(from, environment);
             auto inside = squaredNorm(z) <= radius;
             R count(T(0));
-            for (int i = 0; i < steps; ++i) {
+            for (int i = 0; i < kShort; ++i) {
                 z = select(inside, stepWith<M, R>(z, arguments), z);
                 count = select(inside, count + R(T(1)), count);
                 inside = inside & (squaredNorm(z) <= radius);
             }
-            storeState(z, orbits.state, first);
-            const int valid = orbits.size - first < kWidth ? orbits.size - first : kWidth;
-            T counts[kWidth];
+            T last[kD][kWidth], counts[kWidth];
+            T* lastRows[kD];
+            for (int k = 0; k < kD; ++k) lastRows[k] = last[k];
+            storeState(z, lastRows, 0);
             storeLanes(count, counts);
-            for (int i = 0; i < valid; ++i)
-                finish(orbits.index[first + i], n + static_cast<int>(counts[i]), orbits.state,
-                       first + i);
+            for (int i = 0; first + i < closer.size; ++i)
+                finish(closer.index[first + i],
+                       closer.base[first + i] + static_cast<int>(counts[i]), lastRows, i);
+            closer.size = first;
         }
     }
 
@@ -432,6 +443,8 @@ struct EscapeKernel {
             }
             block = block == 0 ? 2 : block < 64 ? 2 * block : 64;
         }
+        outsideIsFinal ? walk<true>(1) : walk<false>(1);
+        lookClosely(1);
         for (int i = 0; i < active.size; ++i)
             finish(active.index[i], batch.iterations + 1, active.state, i);
     }

@@ -91,6 +91,18 @@ void average(const Tile& tile, int perSide, const std::vector<Colour>& colours, 
         }
 }
 
+// The same map with the scene's parameters, also those that its picture varies, and the first
+// components of the start as axes.
+Scene dynamicalScene(Scene scene) {
+    const MapInfo& info = mapOf(scene).info;
+    scene.criticalStart.reset();
+    scene.slice.axes.clear();
+    scene.slice.origin.clear();
+    for (int k = 0; k < std::min(3, dimensionOf(info.algebra)); ++k)
+        scene.slice.axes.push_back({{{stateComponent(info, k), 1.0}}});
+    return scene;
+}
+
 }  // namespace
 
 Status checkSize(const Scene& scene, Size size) {
@@ -171,17 +183,13 @@ Status CpuRenderer::measure(const Scene& scene, Size size, const std::vector<Fie
 Status CpuRenderer::measureAt(const Scene& scene, const std::vector<std::vector<double>>& points,
                               const std::vector<FieldName>& fields, const RenderOptions& options,
                               Job& job, std::vector<std::vector<double>>& rows) {
-    Expected<OrbitProgram> bound = binder_.bind(scene, job);
+    Expected<OrbitProgram> bound = binder_.bind(dynamicalScene(scene), job);
     if (!bound) return bound.status();
-    // Up to three axes carry the first components of the start; a fourth is set point by point.
     OrbitProgram& program = *bound;
     const auto dimension = static_cast<std::size_t>(program.map->dimension);
-    const std::size_t axes = std::min<std::size_t>(3, dimension);
-    program.slice.axes.assign(axes, std::vector<double>(program.slice.origin.size(), 0.0));
-    for (std::size_t k = 0; k < dimension; ++k)
-        program.slice.origin[k] = k < axes ? 0.0 : scene.start[k];
-    for (std::size_t k = 0; k < axes; ++k) program.slice.axes[k][k] = 1;
-    program.critical.reset();
+    const std::size_t axes = program.slice.axes.size();
+    // A fourth component is set point by point.
+    for (std::size_t k = axes; k < dimension; ++k) program.slice.origin[k] = scene.start[k];
     rows.assign(points.size(), {});
     const std::size_t parts = (points.size() + kPoints - 1) / kPoints;
     const bool done = job.parallelFor(parts, [&](std::size_t part) {
