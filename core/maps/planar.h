@@ -90,8 +90,8 @@ struct PlanarQuarticForm {
     }
     static constexpr planar::Places kPlaces = [] {
         using namespace planar;
-        constexpr auto all = {a1, a2, a3, a4, b1, b2, b3, b4, c1, c2, c3, c4, d};
-        return places(all, all);
+        return places({a1, a2, a3, a4, b1, b2, b3, b4, c1, c2, c3, c4, d},
+                      {a1, a2, a3, a4, b1, b2, b3, b4, c1, c2, c3, c4, d});
     }();
 };
 struct PlanarQuadraticForm {
@@ -101,8 +101,7 @@ struct PlanarQuadraticForm {
     }
     static constexpr planar::Places kPlaces = [] {
         using namespace planar;
-        constexpr auto all = {a1, a2, b1, b2, c1, d};
-        return places(all, all);
+        return places({a1, a2, b1, b2, c1, d}, {a1, a2, b1, b2, c1, d});
     }();
 };
 struct PlanarHenonForm {
