@@ -100,12 +100,12 @@ std::span<const MapKernels> rowsOf(MapList<Maps...>) {
 
 std::vector<KernelTarget> allTargets() {
     const auto always = [] { return true; };
-#if VERSORIUM_X86_KERNELS
+#if VERSORIUM_X86_KERNELS > 0
     const auto v3 = [] {
         return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
                __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
     };
-    const auto v4 = [] {
+    [[maybe_unused]] const auto v4 = [] {
         return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
                __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
                __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") &&
@@ -113,10 +113,12 @@ std::vector<KernelTarget> allTargets() {
     };
     return {
         {"x86-64-v2", Flavour::exact, always, doubles_v2_exact(), floats_v2_exact()},
-        {"x86-64-v3", Flavour::exact, v3, doubles_v3_exact(), floats_v3_exact()},
-        {"x86-64-v4", Flavour::exact, v4, doubles_v4_exact(), floats_v4_exact()},
-        {"x86-64-v3", Flavour::fast, v3, doubles_v3_fast(), floats_v3_fast()},
-        {"x86-64-v4", Flavour::fast, v4, doubles_v4_fast(), floats_v4_fast()},
+            {"x86-64-v3", Flavour::exact, v3, doubles_v3_exact(), floats_v3_exact()},
+#if VERSORIUM_X86_KERNELS > 1
+            {"x86-64-v4", Flavour::exact, v4, doubles_v4_exact(), floats_v4_exact()},
+            {"x86-64-v3", Flavour::fast, v3, doubles_v3_fast(), floats_v3_fast()},
+            {"x86-64-v4", Flavour::fast, v4, doubles_v4_fast(), floats_v4_fast()},
+#endif
     };
 #else
     return {{"128-bit", Flavour::exact, always, doubles_generic_exact(), floats_generic_exact()}};

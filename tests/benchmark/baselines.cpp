@@ -3,7 +3,7 @@
 
 #include "benchmark/views.h"
 
-namespace versorium::baseline {
+namespace versorium::textbook {
 
 template <class T>
 std::int64_t mandelbrot(int side, int iterations, std::vector<std::int32_t>& steps) {
@@ -54,4 +54,4 @@ std::int64_t planarDotProducts(int side, double height, int iterations, double s
     return total;
 }
 
-}  // namespace versorium::baseline
+}  // namespace versorium::textbook

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace versorium::baseline {
+namespace versorium::textbook {
 
 // Escape steps of z² + c from 0 on a square of side `height` about `centre`, row after row.
 template <class T>
@@ -24,4 +24,4 @@ std::int64_t planarDotProducts(int side, double height, int iterations, double s
 double fmaPeakV3(int rounds);
 double fmaPeakV4(int rounds);
 
-}  // namespace versorium::baseline
+}  // namespace versorium::textbook

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Compiled once for each instruction set, with PEAK_NAME as the function's name.
-namespace versorium::baseline {
+namespace versorium::textbook {
 
 double PEAK_NAME(int rounds) {
 #if defined(__AVX512F__)
@@ -24,4 +24,4 @@ double PEAK_NAME(int rounds) {
     return all < 0 ? 0 : kOperations * rounds;
 }
 
-}  // namespace versorium::baseline
+}  // namespace versorium::textbook

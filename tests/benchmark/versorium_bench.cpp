@@ -32,7 +32,7 @@ class KernelPicture {
     }
     std::vector<T>& parameter(int k) { return values_[static_cast<std::size_t>(k)]; }
 
-    std::int64_t run(const BatchRow<T>& row, const baseline::View& view, int iterations,
+    std::int64_t run(const BatchRow<T>& row, const textbook::View& view, int iterations,
                      double squaredRadius, bool shortcuts) {
         std::int64_t total = 0;
         for (int first = 0; first < kSide * kSide; first += kTile) {
@@ -119,7 +119,7 @@ void addMandelbrot(const KernelTarget& target, const std::string& type, const ch
         KernelPicture<T> picture(map, false);
         std::int64_t total = 0;
         for (auto _ : state)
-            total += picture.run(rowOf<T>(target, map), baseline::kHome, kIterations, 4, false);
+            total += picture.run(rowOf<T>(target, map), textbook::kHome, kIterations, 4, false);
         countRate(state, total);
     });
     ratios().push_back({name, "mandelbrot/" + type + "/textbook", goal});
@@ -131,7 +131,7 @@ void addShortcuts(const KernelTarget& target) {
     benchmark::RegisterBenchmark(name.c_str(), [&target, &map](benchmark::State& state) {
         KernelPicture<double> picture(map, false);
         for (auto _ : state)
-            picture.run(target.doubles[map.index], baseline::kHome, kIterations, 4, true);
+            picture.run(target.doubles[map.index], textbook::kHome, kIterations, 4, true);
     });
     ratios().push_back({name, "mandelbrot/double/" + nameOf(target), "3"});
 }
@@ -175,24 +175,24 @@ void addThreads(int threads) {
 }
 
 void addAll() {
-    using baseline::kHome;
+    using textbook::kHome;
     benchmark::RegisterBenchmark("mandelbrot/double/textbook", [](benchmark::State& state) {
         std::vector<std::int32_t> steps(kSide * kSide);
         std::int64_t total = 0;
-        for (auto _ : state) total += baseline::mandelbrot<double>(kSide, kIterations, steps);
+        for (auto _ : state) total += textbook::mandelbrot<double>(kSide, kIterations, steps);
         countRate(state, total);
     });
     benchmark::RegisterBenchmark("mandelbrot/float/textbook", [](benchmark::State& state) {
         std::vector<std::int32_t> steps(kSide * kSide);
         std::int64_t total = 0;
-        for (auto _ : state) total += baseline::mandelbrot<float>(kSide, kIterations, steps);
+        for (auto _ : state) total += textbook::mandelbrot<float>(kSide, kIterations, steps);
         countRate(state, total);
     });
     benchmark::RegisterBenchmark("planar/image/textbook", [](benchmark::State& state) {
         std::vector<std::int32_t> steps(kSide * kSide);
         std::int64_t total = 0;
         for (auto _ : state)
-            total += baseline::planarDotProducts(kSide, 3, 100, 16, quartic().data(), steps);
+            total += textbook::planarDotProducts(kSide, 3, 100, 16, quartic().data(), steps);
         countRate(state, total);
     });
     for (const KernelTarget& target : kernelTargets()) {
@@ -219,7 +219,7 @@ void addAll() {
         if (target.flavour != Flavour::fast) continue;
         const bool wide = std::string(target.name) == "x86-64-v4";
         peak(wide ? "fma-peak/x86-64-v4" : "fma-peak/x86-64-v3",
-             wide ? baseline::fmaPeakV4 : baseline::fmaPeakV3);
+             wide ? textbook::fmaPeakV4 : textbook::fmaPeakV3);
     }
 #endif
     addThreads(1);

@@ -2,7 +2,7 @@
 #pragma once
 // The squares that are timed; pixel centres at +0.5, v upwards, as everywhere.
 
-namespace versorium::baseline {
+namespace versorium::textbook {
 
 struct View {
     double x, y, height;
@@ -11,4 +11,4 @@ struct View {
 };
 inline constexpr View kHome{-0.75, 0, 2.5};
 
-}  // namespace versorium::baseline
+}  // namespace versorium::textbook
