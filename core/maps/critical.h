@@ -3,9 +3,11 @@
 // Critical points p* of a map, from which bifurcation sets start (A 4.2, A8). Closed forms where a
 // map has them. Other maps of the plane are solved: a point where ∂F/∂x = 0, found by Newton's
 // method, with second derivatives by duals of duals, from the approximations of
-// maps/critical_starts.h or from a grid of starts. For a complex-analytic
-// map that is f' = 0; for any planar map it makes det J = 0. Points that are fixed by the map (the
-// roots under Newton's map) come last; within each group they are ordered by x, then y.
+// maps/critical_starts.h or from a grid of starts. For a complex-analytic map
+// that is f' = 0; for any planar map it makes det J = 0. Points that are fixed by the map (the
+// roots under Newton's map) come last; within each group they are ordered by x, then y. Multiple
+// roots of rational maps, where the derivative has no direction, are not among them; on a planar
+// system only points that one of 25 starts leads to are.
 
 #include <vector>
 
