@@ -227,8 +227,16 @@ Status assign(Scene& scene, const Assignment& assignment) {
     }
     Json assets = Json::object();
     Json json = withoutAssets(sceneToJson(scene), assets);
-    const Json parsed = parseValue(value);
+    Json parsed = parseValue(value);
     const std::string path = scene.lists.contains(key) ? "lists." + key : pathOf(json, key);
+    if (path == "colour.palette" && value.ends_with(".json")) {
+        Expected<Bytes> bytes = readFile(value, kDocumentBytes);
+        if (!bytes) return bytes.status();
+        Expected<Json> palette =
+            parseJson({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+        if (!palette) return palette.status().in(value);
+        parsed = *palette;
+    }
     if (path.empty()) {
         const std::optional<NumberRef> number = numberNamed(scene, key);
         if (!number)

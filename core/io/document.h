@@ -37,7 +37,7 @@ Json withoutAssets(Json scene, Json& assets);
 
 // --set key=value. A key is a path of the scene ("colour.palette"), the last part of one
 // ("palette", "height"), or a number's or parameter's name ("c", "c.re", "roots[0].power"). `shape`
-// and lists of roots also take files, which become assets.
+// and lists of roots also take files, and so does `palette` (a JSON file).
 struct Assignment {
     std::string key, value;
 };

@@ -113,11 +113,11 @@ std::vector<KernelTarget> allTargets() {
     };
     return {
         {"x86-64-v2", Flavour::exact, always, doubles_v2_exact(), floats_v2_exact()},
-        {"x86-64-v3", Flavour::exact, v3, doubles_v3_exact(), floats_v3_exact()},
+            {"x86-64-v3", Flavour::exact, v3, doubles_v3_exact(), floats_v3_exact()},
 #if VERSORIUM_X86_KERNELS > 1
-        {"x86-64-v4", Flavour::exact, v4, doubles_v4_exact(), floats_v4_exact()},
-        {"x86-64-v3", Flavour::fast, v3, doubles_v3_fast(), floats_v3_fast()},
-        {"x86-64-v4", Flavour::fast, v4, doubles_v4_fast(), floats_v4_fast()},
+            {"x86-64-v4", Flavour::exact, v4, doubles_v4_exact(), floats_v4_exact()},
+            {"x86-64-v3", Flavour::fast, v3, doubles_v3_fast(), floats_v3_fast()},
+            {"x86-64-v4", Flavour::fast, v4, doubles_v4_fast(), floats_v4_fast()},
 #endif
     };
 #else

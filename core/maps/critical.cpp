@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "maps/critical_starts.h"
+
 namespace versorium {
 namespace {
 
@@ -85,23 +87,29 @@ std::vector<Candidate> solvedPoints(const MapKernels& map, const double* paramet
                                     const Environment<double>& environment) {
     const auto second = lifted(environment);
     std::vector<Candidate> all;
-    for (int row = 0; row < kStartsAcross; ++row)
-        for (int column = 0; column < kStartsAcross; ++column) {
-            // A little off the axes, where symmetric maps have no slope.
-            const auto place = [](int i) {
-                return kReach * (2.0 * i / (kStartsAcross - 1) - 1) + 0.013;
-            };
-            Plane2 found{};
-            if (!newton(map, {place(column), place(row)}, parameters, second, found)) continue;
-            const bool known = std::any_of(all.begin(), all.end(), [&](const Candidate& other) {
-                return std::abs(other.point.x - found.x) + std::abs(other.point.y - found.y) < 1e-7;
-            });
-            if (known) continue;
-            double image[2] = {found.x, found.y};
-            map.step(image, parameters, environment);
-            const bool fixed = std::abs(image[0] - found.x) + std::abs(image[1] - found.y) < 1e-7;
-            all.push_back({found, fixed});
-        }
+    const auto attempt = [&](Plane2 start) {
+        Plane2 found{};
+        if (!newton(map, start, parameters, second, found)) return;
+        const bool known = std::any_of(all.begin(), all.end(), [&](const Candidate& other) {
+            return std::abs(other.point.x - found.x) + std::abs(other.point.y - found.y) < 1e-7;
+        });
+        if (known) return;
+        double image[2] = {found.x, found.y};
+        map.step(image, parameters, environment);
+        const bool fixed = std::abs(image[0] - found.x) + std::abs(image[1] - found.y) < 1e-7;
+        all.push_back({found, fixed});
+    };
+    const auto starts = criticalStarts(map, parameters, environment);
+    for (const Complex<double>& start : starts) attempt({start.re, start.im});
+    if (starts.empty())
+        for (int row = 0; row < kStartsAcross; ++row)
+            for (int column = 0; column < kStartsAcross; ++column) {
+                // A little off the axes, where symmetric maps have no slope.
+                const auto place = [](int i) {
+                    return kReach * (2.0 * i / (kStartsAcross - 1) - 1) + 0.013;
+                };
+                attempt({place(column), place(row)});
+            }
     std::sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
         if (a.fixed != b.fixed) return b.fixed;
         return std::abs(a.point.x - b.point.x) > 1e-9 ? a.point.x < b.point.x

@@ -2,7 +2,8 @@
 #pragma once
 // Critical points p* of a map, from which bifurcation sets start (A 4.2, A8). Closed forms where a
 // map has them. Other maps of the plane are solved: a point where ∂F/∂x = 0, found by Newton's
-// method from a grid of starts with second derivatives by duals of duals. For a complex-analytic
+// method, with second derivatives by duals of duals, from the approximations of
+// maps/critical_starts.h or from a grid of starts. For a complex-analytic
 // map that is f' = 0; for any planar map it makes det J = 0. Points that are fixed by the map (the
 // roots under Newton's map) come last; within each group they are ordered by x, then y.
 

@@ -9,7 +9,9 @@
 // Where coefficients are 0, shorter forms of the same sum do less work; they leave out additions of
 // x·0 only, so that they give the same numbers wherever x and y are finite.
 
+#include <initializer_list>
 #include "maps/layout.h"
+
 #include "maps/map_info.h"
 
 namespace versorium {
@@ -67,12 +69,16 @@ R linear(const PlanarComponent<R>& k, R x, R y) {
     return (k.d + x * k.a1) + y * k.b1;
 }
 
-// Whether every coefficient of g or h (0 or 1) that is not named is 0.
-template <class... Names>
-bool onlyThese(const bool* nonzero, int component, Names... names) {
-    for (int i = 0; i < 15; ++i)
-        if (nonzero[15 * component + i] && !(... || (i == static_cast<int>(names)))) return false;
-    return true;
+// Which of the 30 coefficients a form has a place for: those of g, then those of h.
+struct Places {
+    bool has[30] = {};
+};
+constexpr Places places(std::initializer_list<Coefficient> g,
+                        std::initializer_list<Coefficient> h) {
+    Places result;
+    for (Coefficient coefficient : g) result.has[coefficient] = true;
+    for (Coefficient coefficient : h) result.has[15 + coefficient] = true;
+    return result;
 }
 
 }  // namespace planar
@@ -82,31 +88,31 @@ struct PlanarQuarticForm {
     static Plane<R> step(Plane<R> p, PlanarCoefficients<R> k) {
         return {planar::quartic(k.g, p.x, p.y), planar::quartic(k.h, p.x, p.y)};
     }
-    static bool applies(const bool* nonzero) {
+    static constexpr planar::Places kPlaces = [] {
         using namespace planar;
-        return !nonzero[x3y] && !nonzero[xy3] && !nonzero[15 + x3y] && !nonzero[15 + xy3];
-    }
+        return places({a1, a2, a3, a4, b1, b2, b3, b4, c1, c2, c3, c4, d},
+                      {a1, a2, a3, a4, b1, b2, b3, b4, c1, c2, c3, c4, d});
+    }();
 };
 struct PlanarQuadraticForm {
     template <class R>
     static Plane<R> step(Plane<R> p, PlanarCoefficients<R> k) {
         return {planar::quadratic(k.g, p.x, p.y), planar::quadratic(k.h, p.x, p.y)};
     }
-    static bool applies(const bool* nonzero) {
+    static constexpr planar::Places kPlaces = [] {
         using namespace planar;
-        return onlyThese(nonzero, 0, a1, a2, b1, b2, c1, d) &&
-               onlyThese(nonzero, 1, a1, a2, b1, b2, c1, d);
-    }
+        return places({a1, a2, b1, b2, c1, d}, {a1, a2, b1, b2, c1, d});
+    }();
 };
 struct PlanarHenonForm {
     template <class R>
     static Plane<R> step(Plane<R> p, PlanarCoefficients<R> k) {
         return {planar::henonQuadratic(k.g, p.x, p.y), planar::linear(k.h, p.x, p.y)};
     }
-    static bool applies(const bool* nonzero) {
+    static constexpr planar::Places kPlaces = [] {
         using namespace planar;
-        return onlyThese(nonzero, 0, a1, a2, b1, d) && onlyThese(nonzero, 1, a1, b1, d);
-    }
+        return places({a1, a2, b1, d}, {a1, b1, d});
+    }();
 };
 
 struct Planar {

@@ -14,7 +14,8 @@
 //                   reduction by multiples of pi/2, which grows with |x|
 //   atan2  3        all points; atan2(±0, +x) = ±0, atan2(0, 0) = 0
 //   pow    3 + 2 |y ln x|   x > 0; pow(0, y) is 0, 1 or +inf; pow(x < 0, y) = NaN
-// min and max return their first argument when one of the two is NaN.
+// They are calls: inlined into every map they would make the kernels many times as large, at no
+// gain. min and max return their first argument when one of the two is NaN.
 
 #include <array>
 #include <cstddef>
@@ -187,7 +188,7 @@ R floor(const R& a) {
 }
 
 template <PlainReal R>
-R exp(const R& a) {
+[[gnu::noinline]] R exp(const R& a) {
     using F = elementary::FormatOf<R>;
     using T = ScalarOf<R>;
     const R x = min(max(a, R(F::kExpLow)), R(F::kExpHigh));
@@ -206,7 +207,7 @@ R exp(const R& a) {
 }
 
 template <PlainReal R>
-R log(const R& a) {
+[[gnu::noinline]] R log(const R& a) {
     using F = elementary::FormatOf<R>;
     using T = ScalarOf<R>;
     const auto subnormal = a < R(F::kLeastNormal);
@@ -259,7 +260,7 @@ R cosineSeries(const R& r) {
 
 // sin(x + quarter·π/2).
 template <class R>
-R sineOfQuarter(const R& x, typename Format<ScalarOf<R>>::Bits quarter) {
+[[gnu::noinline]] R sineOfQuarter(const R& x, typename Format<ScalarOf<R>>::Bits quarter) {
     using F = FormatOf<R>;
     using T = ScalarOf<R>;
     const R rounded = x * R(T(0.63661977236758134308)) + R(F::kRound);
@@ -287,7 +288,7 @@ R cos(const R& x) {
 
 // The angle of the point (x, y) in (-π, π]; NaN where a coordinate is NaN.
 template <PlainReal R>
-R atan2(const R& y, const R& x) {
+[[gnu::noinline]] R atan2(const R& y, const R& x) {
     using F = elementary::FormatOf<R>;
     using T = ScalarOf<R>;
     constexpr T infinity = std::numeric_limits<T>::infinity();

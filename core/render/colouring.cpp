@@ -61,7 +61,9 @@ Expected<ColourPass> ColourPass::make(const Scene& scene, const OrbitProgram& pr
     pass.attracted_ = colouring.attracted;
     pass.smoothing_ = colouring.smoothing;
 
-    Expected<Palette> palette = paletteNamed(colouring.palette);
+    Expected<Palette> palette = colouring.ownPalette.is_null()
+                                    ? paletteNamed(colouring.palette)
+                                    : paletteFromJson(colouring.ownPalette);
     if (!palette) return palette.status();
     pass.palette_ = std::move(*palette);
     pass.scale_ = defaultScale(pass.shown_, program, scene.slice.height);

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/json.h"
 #include "colour/rules.h"
 #include "colour/scale.h"
 #include "geometry/roots.h"
@@ -59,7 +60,8 @@ struct TrapSpec {
 struct Colouring {
     std::string rule = "palette";  // palette, gradient (A eqs 14-15), versor or phase
     std::string field = "smooth_escape";
-    std::string palette = "versorium";
+    std::string palette = "versorium";  // a built-in one, or the name of `ownPalette`
+    Json ownPalette;                    // a palette (colour/palette.h) of the scene's own, or null
     bool reverse = false;
     std::string scale;                    // empty: the field's own
     std::vector<double> range;            // low and high; empty: the field's own

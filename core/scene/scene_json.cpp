@@ -177,6 +177,21 @@ void readGradient(ObjectReader& owner, const char* key, Gradient& gradient) {
     owner.fail(reader.finish());
 }
 
+// A name, or a palette as an object.
+void readPalette(ObjectReader& colour, Colouring& c) {
+    const Json* found = colour.child("palette");
+    if (!found) return;
+    c.ownPalette = nullptr;
+    if (!found->is_object()) {
+        colour.word("palette", c.palette, paletteNames());
+        return;
+    }
+    const Expected<Palette> palette = paletteFromJson(*found, colour.pathOf("palette"));
+    if (!palette) return colour.fail(palette.status());
+    c.palette = palette->name();
+    c.ownPalette = paletteToJson(*palette);
+}
+
 void readColour(ObjectReader& reader, Scene& scene) {
     const Json* found = reader.child("colour");
     if (!found) return;
@@ -184,7 +199,6 @@ void readColour(ObjectReader& reader, Scene& scene) {
     ObjectReader colour(*found, reader.pathOf("colour"));
     colour.word("rule", c.rule, {"palette", "gradient", "versor", "phase"})
         .word("field", c.field, fieldWords())
-        .word("palette", c.palette, paletteNames())
         .boolean("reverse", c.reverse)
         .word("scale", c.scale, {"", "linear", "log", "truncated_log", "sqrt", "cyclic"})
         .word("interior", c.interior, kSets)
@@ -192,6 +206,7 @@ void readColour(ObjectReader& reader, Scene& scene) {
         .word("outline", c.outline, kSets)
         .text("outline_colour", c.outlineColour)
         .number("outline_width", c.outlineWidth, 0, 100);
+    readPalette(colour, c);
     if (const Json* range = colour.child("range"); range && !(range->is_array() && range->empty()))
         colour.numbers("range", c.range, 2, 2);
     else if (range)
@@ -364,7 +379,7 @@ Json sceneToJson(const Scene& scene) {
     const Colouring& c = scene.colour;
     json["colour"] = Json{{"rule", c.rule},
                           {"field", c.field},
-                          {"palette", c.palette},
+                          {"palette", c.ownPalette.is_null() ? Json(c.palette) : c.ownPalette},
                           {"reverse", c.reverse},
                           {"scale", c.scale},
                           {"range", numbers(c.range)},

@@ -58,7 +58,6 @@ const std::pair<const char*, const char*> kDescriptions[] = {
 
 Json allowedWords(const std::string& path) {
     if (path == "colour.rule") return words({"palette", "gradient", "versor", "phase"});
-    if (path == "colour.palette") return words(paletteNames());
     if (path == "colour.scale")
         return words({"", "linear", "log", "truncated_log", "sqrt", "cyclic"});
     if (path == "colour.interior" || path == "colour.outline")
@@ -82,6 +81,12 @@ Json schemaOf(const Json& value, const std::string& path) {
     // Those that depend on the map, or that take two forms, say only what they may be.
     if (path == "start") {
         schema["type"] = Json::array({"array", "object"});
+    } else if (path == "colour.palette") {
+        schema["anyOf"] = Json::array(
+            {Json{{"enum", words(paletteNames())}}, Json{{"type", "object"},
+                                                         {"description",
+                                                          "a palette of the scene's own, as "
+                                                          "versorium palettes --json shows"}}});
     } else if (path == "escape_radius") {
         schema["type"] = Json::array({"number", "string"});
     } else if (value.is_object()) {

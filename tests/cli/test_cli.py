@@ -100,6 +100,20 @@ class Results(CommandLine):
         self.assertEqual(self.read("a.png"), self.read("b.png"))
         self.assertEqual(self.read("a.png"), self.read("c.png"))
 
+    def test_a_palette_of_ones_own(self):
+        palette = {"name": "two", "kind": "sequential", "space": "linear",
+                   "stops": ["#000000", "#ff0000"]}
+        file = self.write("two.json", json.dumps(palette))
+        self.good("render", "julia", "-o", self.path("a.png"), "--size", "30x30",
+                  "--set", "palette=" + file)
+        os.remove(file)
+        self.good("render", self.path("a.png"), "-o", self.path("b.png"))
+        self.assertEqual(self.read("a.png"), self.read("b.png"))
+        body = json.loads(self.good("scene", self.path("a.png")))["body"]
+        self.assertEqual(body["colour"]["palette"]["name"], "two")
+        self.refused(DATA, "render", "julia", "-o", self.path("c.png"), "--set",
+                     "palette=" + self.write("bad.json", "{"), says="bad.json")
+
     def test_a_picture_carries_its_mesh(self):
         tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
         mesh = self.write("t.obj", tetrahedron)

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <complex>
 
+#include "base/random.h"
 #include "fields/programs.h"
 
 namespace versorium {
@@ -127,6 +128,41 @@ TEST(CriticalPoints, OfNewtonsMapAreFreeOnesFirst) {
     const std::vector<Point> free(more.begin(), more.begin() + 2);
     EXPECT_LT(nearest(free, (6.0 * one + root) / 24.0), kSolved);
     EXPECT_LT(nearest(free, (6.0 * one - root) / 24.0), kSolved);
+}
+
+// N' = 1 + S'/S² vanishes at every point that is found, and none of the 2n - 2 is missing.
+TEST(CriticalPoints, OfNewtonsMapAreComplete) {
+    Random random(71);
+    for (int n : {2, 3, 5, 8, 13}) {
+        OrbitProgram newton = programOf("newton", {}, {{"z.re"}}, 50, 1e6);
+        for (int i = 0; i < n; ++i)
+            newton.lists[0].push_back({{random.uniform(-1, 1), random.uniform(-1, 1), 0, 0}, 1});
+        const auto points = criticalPoints(newton);
+        ASSERT_EQ(points.size(), static_cast<std::size_t>(2 * n - 2));
+        for (int k = 0; k < n - 2; ++k) {
+            Point sum = 0, first = 0;
+            for (const auto& root : newton.lists[0]) {
+                const Point term =
+                    1.0 / (points[static_cast<std::size_t>(k)] - Point(root.q[0], root.q[1]));
+                sum += term, first -= term * term;
+            }
+            EXPECT_LT(std::abs(1.0 + first / (sum * sum)), 1e-9) << n;
+        }
+    }
+}
+
+// R' = R Σ eᵢ/(z - cᵢ): one zero fewer than there are roots and poles.
+TEST(CriticalPoints, OfRationalMapsAreComplete) {
+    OrbitProgram rational = programOf("complex-rational", {}, {{"z.re"}}, 50, 1e6);
+    rational.lists[0] = {{{0.3, 0.4, 0, 0}, 1}, {{-0.5, 0.1, 0, 0}, 1}, {{0.2, -0.6, 0, 0}, 1}};
+    rational.lists[1] = {{{0.9, -0.8, 0, 0}, 1}};
+    const auto points = criticalPoints(rational);
+    ASSERT_EQ(points.size(), 3u);
+    for (const Point& z : points) {
+        Point sum = -1.0 / (z - Point(0.9, -0.8));
+        for (const auto& root : rational.lists[0]) sum += 1.0 / (z - Point(root.q[0], root.q[1]));
+        EXPECT_LT(std::abs(sum), 1e-9);
+    }
 }
 
 // A bifurcation set starts at the critical point of each pixel's own parameters.

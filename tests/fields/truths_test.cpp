@@ -64,6 +64,17 @@ TEST(Lyapunov, OfAttractingCycles) {
     EXPECT_TRUE(std::isnan(valueAt(julia(1, 0, 500, 2), FieldName::lyapunov)));
 }
 
+// Simple roots attract quadratically under Newton's map, a double root with multiplier 1 - 1/2, and
+// the derivative is that also where the orbit has met the root to the bit.
+TEST(Lyapunov, OfNewtonsMapAtRoots) {
+    OrbitProgram newton = programOf("newton", {}, {{"z.re"}, {"z.im"}}, 4000, 1e6);
+    newton.lists[0] = {{{1, 0, 0, 0}, 1}, {{-0.5, 0.5, 0, 0}, 1}, {{-0.5, -0.75, 0, 0}, 1}};
+    EXPECT_LT(valueAt(newton, FieldName::lyapunov, 0.9, 0.1), -20);
+    newton.lists[0][0].power = 2;
+    EXPECT_NEAR(valueAt(newton, FieldName::lyapunov, 0.9, 0.1), std::log(0.5), 10.0 / 4000);
+    EXPECT_NEAR(valueAt(newton, FieldName::lyapunov, 1, 0), std::log(0.5), 10.0 / 4000);
+}
+
 // The stretching of Hénon's map is shared by its two exponents, whose sum is ln|det J| = ln 0.3;
 // the larger one is 0.42 (Benettin and others), to the fluctuations of 20000 steps.
 TEST(Lyapunov, OfHenonsAttractor) {

@@ -17,7 +17,9 @@ Status set(Scene& scene, const std::string& text) {
     if (!assignment) return assignment.status();
     const std::string key = assignment->key;
     const Status status = assign(scene, *assignment);
-    if (status.ok()) EXPECT_TRUE(knowsKey(scene, key)) << key;
+    if (status.ok()) {
+        EXPECT_TRUE(knowsKey(scene, key)) << key;
+    }
     return status;
 }
 Scene with(const char* map, const std::vector<std::string>& texts) {

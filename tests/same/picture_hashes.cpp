@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Prints the SHA-256 of all fields and of the PNG of every preset, and of every built-in plate, each
-// small. The test runs the native and the WebAssembly program and compares what they print.
+// Prints the SHA-256 of all fields and of the PNG of every preset, and of every built-in plate,
+// each small. The test runs the native and the WebAssembly program and compares what they print.
 #include <cstdio>
 
 #include "base/hash.h"

@@ -90,8 +90,8 @@ TEST(Scene, EverythingAtOnceReadsBack) {
     scene.escapeTest = "last";
     scene.iso = -0.25;
     scene.trap = {"circle", {0.5, 0.25, 0.125}, 0.75, 1.5};
-    scene.colour = {"gradient", "trap", "viridis", true,    "log",     {0.5, 2}, "none",
-                    {},         {},     "log-log", "solid", "#ff8000", 2.5};
+    scene.colour = {"gradient", "trap", "viridis", {},        true,    "log",     {0.5, 2},
+                    "none",     {},     {},        "log-log", "solid", "#ff8000", 2.5};
     scene.aspect = 1.5;
     scene.samples = 4;
     addAsset(scene, {"grid.f3d", {1, 2, 3, 250}});

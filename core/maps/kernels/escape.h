@@ -2,9 +2,9 @@
 #pragma once
 // The escape kernel: it works in passes over all orbits that are still active. A pass runs a block
 // of steps without looking, several registers at a time, then tests. Orbits that left during the
-// block are collected and replayed from its beginning with a test after each step, full registers
-// again; the last orbits take their places, so that no lane is ever idle. The result is that of the
-// plain loop.
+// block walk through it again in short blocks, together with others from other passes, and are
+// looked at after each step only in the last one; the last active orbits take their places. So
+// registers are full almost always. The result is that of the plain loop.
 
 #include "maps/apply.h"
 #include "maps/orbit_batch.h"

@@ -25,7 +25,9 @@ void escape(OrbitBatch<T>& batch) {
             nonzero[k] = batch.parameters[k].varies || *batch.parameters[k].values != T(0);
         bool done = false;
         const auto attempt = [&]<class Form>(Form) {
-            if (done || !Form::applies(nonzero)) return;
+            if (done) return;
+            for (int k = 0; k < kParameters<M>; ++k)
+                if (nonzero[k] && !Form::kPlaces.has[k]) return;
             done = true;
             escapeWith<Form>(batch);
         };
