@@ -15,8 +15,9 @@ def faults_of(listing, name):
     seen = set()
     for line in listing.splitlines():
         kind, symbol = re.match(r"(?:[0-9a-f]+)?\s+(\S)\s+(.*)", line).groups()
-        if kind not in "TWVuBDRCi":
-            continue  # local to the object
+        # Constants hold the same bytes whoever made them; only code differs.
+        if kind not in "TWi":
+            continue  # local to the object, or data
         if symbol in tables:
             seen.add(symbol)
         elif not re.search(rf"\bversorium::{name}::", symbol):
