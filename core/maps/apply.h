@@ -11,8 +11,8 @@ namespace versorium {
 
 template <class Function>
 struct StepTraits;
-template <class S, class... As>
-struct StepTraits<S (*)(S, As...)> {
+template <class S, class Z, class... As>
+struct StepTraits<S (*)(Z, As...)> {
     using State = S;
     using Arguments = std::tuple<std::remove_cvref_t<As>...>;
 };

@@ -45,27 +45,27 @@ namespace planar {
 enum Coefficient { a1, a2, a3, a4, b1, b2, b3, b4, c1, c2, c3, c4, d, x3y, xy3 };
 
 template <class R>
-R full(const PlanarComponent<R>& k, R x, R y) {
+R full(const PlanarComponent<R>& k, const R& x, const R& y) {
     return (k.d + x * (k.a1 + x * (k.a2 + x * (k.a3 + x * k.a4)))) +
            y * ((k.b1 + x * (k.c1 + x * (k.c2 + x * k.x3y))) +
                 y * ((k.b2 + x * (k.c3 + x * k.c4)) + y * ((k.b3 + x * k.xy3) + y * k.b4)));
 }
 template <class R>
-R quartic(const PlanarComponent<R>& k, R x, R y) {
+R quartic(const PlanarComponent<R>& k, const R& x, const R& y) {
     return (k.d + x * (k.a1 + x * (k.a2 + x * (k.a3 + x * k.a4)))) +
            y * ((k.b1 + x * (k.c1 + x * k.c2)) +
                 y * ((k.b2 + x * (k.c3 + x * k.c4)) + y * (k.b3 + y * k.b4)));
 }
 template <class R>
-R quadratic(const PlanarComponent<R>& k, R x, R y) {
+R quadratic(const PlanarComponent<R>& k, const R& x, const R& y) {
     return (k.d + x * (k.a1 + x * k.a2)) + y * ((k.b1 + x * k.c1) + y * k.b2);
 }
 template <class R>
-R henonQuadratic(const PlanarComponent<R>& k, R x, R y) {
+R henonQuadratic(const PlanarComponent<R>& k, const R& x, const R& y) {
     return (k.d + x * (k.a1 + x * k.a2)) + y * k.b1;
 }
 template <class R>
-R linear(const PlanarComponent<R>& k, R x, R y) {
+R linear(const PlanarComponent<R>& k, const R& x, const R& y) {
     return (k.d + x * k.a1) + y * k.b1;
 }
 
@@ -85,7 +85,7 @@ constexpr Places places(std::initializer_list<Coefficient> g,
 
 struct PlanarQuarticForm {
     template <class R>
-    static Plane<R> step(Plane<R> p, PlanarCoefficients<R> k) {
+    static Plane<R> step(const Plane<R>& p, const PlanarCoefficients<R>& k) {
         return {planar::quartic(k.g, p.x, p.y), planar::quartic(k.h, p.x, p.y)};
     }
     static constexpr planar::Places kPlaces = [] {
@@ -96,7 +96,7 @@ struct PlanarQuarticForm {
 };
 struct PlanarQuadraticForm {
     template <class R>
-    static Plane<R> step(Plane<R> p, PlanarCoefficients<R> k) {
+    static Plane<R> step(const Plane<R>& p, const PlanarCoefficients<R>& k) {
         return {planar::quadratic(k.g, p.x, p.y), planar::quadratic(k.h, p.x, p.y)};
     }
     static constexpr planar::Places kPlaces = [] {
@@ -106,7 +106,7 @@ struct PlanarQuadraticForm {
 };
 struct PlanarHenonForm {
     template <class R>
-    static Plane<R> step(Plane<R> p, PlanarCoefficients<R> k) {
+    static Plane<R> step(const Plane<R>& p, const PlanarCoefficients<R>& k) {
         return {planar::henonQuadratic(k.g, p.x, p.y), planar::linear(k.h, p.x, p.y)};
     }
     static constexpr planar::Places kPlaces = [] {
@@ -147,7 +147,7 @@ struct Planar {
     using Forms = std::tuple<PlanarHenonForm, PlanarQuadraticForm, PlanarQuarticForm>;
 
     template <class R>
-    static Plane<R> step(Plane<R> p, PlanarCoefficients<R> k) {
+    static Plane<R> step(const Plane<R>& p, const PlanarCoefficients<R>& k) {
         return {planar::full(k.g, p.x, p.y), planar::full(k.h, p.x, p.y)};
     }
 };
