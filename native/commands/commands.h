@@ -26,8 +26,8 @@ struct CommandLine {
 
     // A subcommand with its help and examples.
     CLI::App* add(const std::string& name, const std::string& help, const std::string& examples);
-    void run(CLI::App* command, Action todo) {
-        command->callback([this, todo = std::move(todo)] { action = todo; });
+    void run(CLI::App* command, Action work) {
+        command->callback([this, work = std::move(work)] { action = work; });
     }
 };
 
