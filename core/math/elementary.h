@@ -211,7 +211,8 @@ template <PlainReal R>
     using F = elementary::FormatOf<R>;
     using T = ScalarOf<R>;
     const auto subnormal = a < R(F::kLeastNormal);
-    const R x = select(subnormal, a * R(F::kHuge), a);
+    const auto positive = a > R(T(0));
+    const R x = select(positive, select(subnormal, a * R(F::kHuge), a), R(T(1)));
     // x = 2^e m with m in [sqrt(1/2), sqrt(2)): shift the bits so that m's border is a carry.
     const auto offset = toBits(R(T(1))) - toBits(R(T(0.70710678118654752440)));
     const auto shifted = toBits(x) + offset;
@@ -231,7 +232,7 @@ template <PlainReal R>
         e * R(F::kLn2High) - ((halfSquare - (s * (halfSquare + series) + e * R(F::kLn2Low))) - f);
     constexpr T infinity = std::numeric_limits<T>::infinity();
     const R special = select(a == R(T(0)), R(-infinity), R(std::numeric_limits<T>::quiet_NaN()));
-    const R finite = select(a > R(T(0)), value, special);
+    const R finite = select(positive, value, special);
     return select(a == R(infinity), a, finite);
 }
 

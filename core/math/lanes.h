@@ -47,6 +47,20 @@ struct RegisterOf<std::int32_t> {
     typedef std::int32_t type __attribute__((vector_size(VERSORIUM_LANE_BYTES)));
 };
 
+// What sums are formed in. Integers wrap around: the bits of NaN are numbers like any other.
+template <class T>
+struct WrappingOf {
+    using type = typename RegisterOf<T>::type;
+};
+template <>
+struct WrappingOf<std::int64_t> {
+    typedef std::uint64_t type __attribute__((vector_size(VERSORIUM_LANE_BYTES)));
+};
+template <>
+struct WrappingOf<std::int32_t> {
+    typedef std::uint32_t type __attribute__((vector_size(VERSORIUM_LANE_BYTES)));
+};
+
 // The integer of the same width as a number, lane by lane.
 template <class T>
 struct BitsOf;
@@ -63,6 +77,7 @@ template <class T>
 struct Lanes {
     using Scalar = T;
     using Register = typename RegisterOf<T>::type;
+    using Wrapping = typename WrappingOf<T>::type;
     static constexpr int kCount = VERSORIUM_LANE_BYTES / sizeof(T);
 
     Register v;
@@ -71,8 +86,8 @@ struct Lanes {
     Lanes(Register value) : v(value) {}
     Lanes(T value) : v(value - Register{}) {}
 
-    friend Lanes operator+(Lanes a, Lanes b) { return Register(a.v + b.v); }
-    friend Lanes operator-(Lanes a, Lanes b) { return Register(a.v - b.v); }
+    friend Lanes operator+(Lanes a, Lanes b) { return Register(Wrapping(a.v) + Wrapping(b.v)); }
+    friend Lanes operator-(Lanes a, Lanes b) { return Register(Wrapping(a.v) - Wrapping(b.v)); }
     friend Lanes operator*(Lanes a, Lanes b) { return Register(a.v * b.v); }
     friend Lanes operator/(Lanes a, Lanes b) { return Register(a.v / b.v); }
     friend Lanes operator-(Lanes a) { return Register(-a.v); }
