@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Host: what the studio asks of whatever it runs in, a window or a page. The only seam between the
+// two: everything else of the studio is the same code.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/status.h"
+#include "image/raster.h"
+
+namespace versorium {
+
+// A picture of a scene, asked for by a view. A new request for the same view cancels the old one.
+struct PictureRequest {
+    int view = 0;           // 0 … kMostViews - 1
+    std::uint64_t id = 0;   // comes back with the answer
+    std::string scene;      // JSON: the studio and what computes may stand in different processes
+    Size size{0, 0};        // in pixels
+    int samples = 1;        // along each side of a pixel
+};
+
+struct PictureAnswer {
+    int view = 0;
+    std::uint64_t id = 0;
+    Size size{0, 0};
+    std::vector<unsigned char> rgba;  // sRGB, straight alpha, row 0 on top
+    std::string message;              // why there is no picture; empty where there is one
+    double seconds = 0;               // that it took
+};
+
+// A file to be made: a PNG that carries its scene (render/picture.h), as the command line makes it.
+struct ExportRequest {
+    std::string document;  // JSON of a Document
+    std::string name;      // proposed file name
+};
+
+class Host {
+  public:
+    virtual ~Host() = default;
+
+    // Seconds from some fixed moment.
+    virtual double now() const = 0;
+    // Asks for another frame, even where nothing else happens.
+    virtual void wake() = 0;
+
+    virtual std::string clipboard() = 0;
+    virtual void setClipboard(const std::string& text) = 0;
+
+    // Computes beside the studio, never within its frame.
+    virtual void requestPicture(PictureRequest request) = 0;
+    virtual std::optional<PictureAnswer> takePicture() = 0;
+
+    // One export at a time; takeExport gives its outcome once: where the file is, or what failed.
+    virtual void startExport(ExportRequest request) = 0;
+    virtual void cancelExport() = 0;
+    virtual double exportProgress() const = 0;  // 0 … 1; negative while there is none
+    virtual std::optional<Expected<std::string>> takeExport() = 0;
+
+    // Gives the user a file of these bytes; says where it is.
+    virtual Expected<std::string> saveFile(const std::string& name,
+                                           std::span<const unsigned char> bytes) = 0;
+
+    // What links begin with: the page's address, or the configured one; empty where there is none.
+    virtual std::string publicAddress() const = 0;
+    // The state of the studio as a link's fragment ("v1:…") changed.
+    virtual void setFragment(const std::string& fragment) = 0;
+
+    // A text kept from one start to the next, under a name.
+    virtual std::string stored(const std::string& name) = 0;
+    virtual void store(const std::string& name, const std::string& text) = 0;
+
+    virtual bool reducedMotion() const { return false; }
+    // What a screen reader should say of what is shown.
+    virtual void announce(const std::string&) {}
+};
+
+}  // namespace versorium

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "ui/picture_worker.h"
+
+#include <chrono>
+
+#include "colour/srgb.h"
+#include "render/picture.h"
+
+namespace versorium {
+namespace {
+
+Expected<Scene> sceneOfText(const std::string& text) {
+    Expected<Document> document =
+        documentFromBytes({reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+    if (!document) return document.status();
+    return sceneWithAssets(document->body, document->assets);
+}
+
+}  // namespace
+
+PictureAnswer computePicture(CpuRenderer& renderer, const PictureRequest& request, Job& job) {
+    PictureAnswer answer{.view = request.view, .id = request.id, .size = request.size};
+    const auto begin = std::chrono::steady_clock::now();
+    Expected<Scene> scene = sceneOfText(request.scene);
+    if (!scene) {
+        answer.message = scene.status().message();
+        return answer;
+    }
+    scene->samples = request.samples;
+    Frame frame;
+    // Live pictures are looked at, not measured: the fast kernels draw them.
+    const RenderOptions options{Flavour::fast, true, std::max(1.0, request.size.height / 400.0)};
+    if (Status status = renderer.render(*scene, request.size, options, job, frame); !status.ok()) {
+        answer.message = status.message();
+        return answer;
+    }
+    answer.rgba = std::move(encodeSrgb(frame.colour).values());
+    answer.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return answer;
+}
+
+Expected<std::vector<unsigned char>> computeExport(CpuRenderer& renderer,
+                                                   const ExportRequest& request, Job& job) {
+    Expected<Document> document =
+        documentFromBytes({reinterpret_cast<const unsigned char*>(request.document.data()),
+                           request.document.size()});
+    if (!document) return document.status();
+    Expected<Scene> scene = sceneWithAssets(document->body, document->assets);
+    if (!scene) return scene.status();
+    Expected<PictureOptions> options = pictureOptions(*document);
+    if (!options) return options.status();
+    return renderPicture(renderer, *scene, *options, job);
+}
+
+}  // namespace versorium

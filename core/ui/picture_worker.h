@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Answers a PictureRequest on the processor. What runs it, a thread or a web worker, is the host's.
+
+#include "render/cpu/cpu_renderer.h"
+#include "ui/host.h"
+
+namespace versorium {
+
+PictureAnswer computePicture(CpuRenderer& renderer, const PictureRequest& request, Job& job);
+// The bytes of the PNG that an export makes.
+Expected<std::vector<unsigned char>> computeExport(CpuRenderer& renderer,
+                                                   const ExportRequest& request, Job& job);
+
+}  // namespace versorium

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The studio: everything between an ImGui frame and the core. The shell makes the ImGui context and
+// its back ends, calls prepare() once, then frame() between ImGui::NewFrame and ImGui::Render.
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "base/status.h"
+#include "ui/host.h"
+
+namespace versorium {
+
+class Studio {
+  public:
+    explicit Studio(Host& host);
+    ~Studio();
+
+    // Loads letters for a display of this scale (1: 96 dots per inch) and sets the theme. Call it
+    // before the first frame and whenever the scale changes; the ImGui back end must then take the
+    // atlas anew.
+    void prepare(float scale);
+
+    // One frame. All drawing goes into ImGui's lists; textures are made through OpenGL ES 3.
+    void frame();
+    // True while something moves or is being waited for: the shell should draw on without events.
+    bool busy() const;
+
+    // A preset's name, or a document's JSON or PNG. On failure everything stays as it was.
+    Status openPreset(const std::string& name);
+    Status openBytes(const std::string& name, std::span<const unsigned char> bytes);
+    // The part of a link behind the '#', checked like any foreign input.
+    Status openFragment(const std::string& fragment);
+    std::string fragment() const;
+
+    // OpenGL's context was lost: forgets every name in it. Textures come back by themselves.
+    void contextLost();
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace versorium
