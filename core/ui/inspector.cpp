@@ -125,7 +125,8 @@ void parameters(StudioContext& context) {
                 animateButton(context, part, std::max(parameter.low, -2.0),
                               std::min(parameter.high, 2.0));
         }
-        if (ImGui::SmallButton("reset")) {
+        if (width == 1) ImGui::SameLine();
+        if (ImGui::SmallButton(width == 1 ? "←" : "reset")) {
             value.assign(parameter.value.begin(), parameter.value.begin() + width);
             changed = true;
         }

@@ -48,17 +48,29 @@ Scene parameterView(const Scene& like) {
     std::vector<std::string> names;
     std::vector<double> centre;
     int component = 0;
-    // A complex or quaternion parameter gives its first two components; else reals are joined.
+    const bool hasWide =
+        std::any_of(map.info.parameters.begin(), map.info.parameters.end(),
+                    [](const ParameterInfo& parameter) { return widthOf(parameter.kind) >= 2; });
+    // A complex or quaternion parameter gives its first two components; else reals are joined:
+    // those that are set come before those that are 0.
+    for (const bool zeros : {false, true}) {
+        component = 0;
+        for (const ParameterInfo& parameter : map.info.parameters) {
+            const std::vector<double>& now = like.parameters.at(std::string(parameter.name));
+            if (widthOf(parameter.kind) == 1 && parameter.kind == ParameterKind::real &&
+                (now[0] == 0) == zeros && names.size() < 2 && !hasWide) {
+                names.push_back(parameterComponent(map.info, component));
+                centre.push_back(now[0]);
+            }
+            component += widthOf(parameter.kind);
+        }
+    }
+    component = 0;
     for (const ParameterInfo& parameter : map.info.parameters) {
         const int width = widthOf(parameter.kind);
-        if (width >= 2 && names.size() < 2) {
-            names.clear();
-            centre.clear();
-        }
-        for (int k = 0; k < std::min(width, 2) && names.size() < 2; ++k) {
-            if (parameter.kind == ParameterKind::whole) continue;
+        for (int k = 0; k < 2 && width >= 2 && names.size() < 2; ++k) {
             names.push_back(parameterComponent(map.info, component + k));
-            centre.push_back(width >= 2 ? 0 : parameter.value[0]);
+            centre.push_back(0);
         }
         component += width;
     }
