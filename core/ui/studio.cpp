@@ -143,7 +143,7 @@ void Studio::State::drawWide(ImVec2 low, ImVec2 size) {
 
 void Studio::State::drawNarrow(ImVec2 low, ImVec2 size) {
     Workspace& workspace = context.workspace;
-    const float bar = std::max(ImGui::GetFrameHeight(), 44.0f);
+    const float bar = std::max(ImGui::GetFrameHeight(), 44 * context.scale);
     const ImVec2 button{0, bar};
     ImGui::SetCursorScreenPos(low);
     for (std::size_t k = 0; k < workspace.views.size(); ++k) {
@@ -210,7 +210,7 @@ void Studio::frame() {
     const float margin = 6;
     const ImVec2 low{screen.WorkPos.x + margin, screen.WorkPos.y + margin};
     const ImVec2 size{screen.WorkSize.x - 2 * margin, screen.WorkSize.y - 2 * margin};
-    if (screen.WorkSize.x < kNarrow)
+    if (screen.WorkSize.x < kNarrow * context.scale)
         state.drawNarrow(low, size);
     else
         state.drawWide(low, size);

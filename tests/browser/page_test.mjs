@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+// The page in Chromium with real mouse, wheel and keys: page_test.mjs ROOT PROGRAM [SCREENSHOTS]
+// ROOT is the repository, PROGRAM the native one, whose exports must be the page's, byte for byte.
+import assert from "node:assert/strict";
+import { execFileSync, spawn } from "node:child_process";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+
+const [root, program, screenshots] = process.argv.slice(2);
+const skip = (why) => {
+  console.log("SKIPPED: " + why);
+  process.exit(77);
+};
+const chromium = "/usr/bin/chromium";
+const dist = join(root, "build/web/dist");
+const driver = join(root, ".deps/node_modules/playwright-core");
+if (!existsSync(join(dist, "index.html"))) skip("there is no page: run scripts/build web");
+if (!existsSync(driver)) skip("playwright-core is missing: run scripts/setup web");
+if (!existsSync(chromium)) skip("chromium is missing: run scripts/setup web");
+const playwright = createRequire(import.meta.url)(driver);
+
+const patience = 90000; // milliseconds: for machines that are busy with other tests
+const folder = mkdtempSync(join(tmpdir(), "versorium-page-"));
+
+function serve() {
+  const server = spawn("python3", [join(root, "scripts/serve"), "--port", "0"]);
+  return new Promise((resolve, reject) => {
+    server.stdout.once("data", (text) => resolve({ server, address: String(text).trim() }));
+    server.stderr.once("data", (text) => reject(new Error(String(text))));
+  });
+}
+
+const finished = (page) =>
+  waitFor(page, () => {
+    if (!window.versorium) return false;
+    window.versorium.stop();
+    return window.versorium.picturesTaken > 1 && window.versorium.finished;
+  });
+
+// The content policy forbids what playwright's own waitForFunction does in the page: ask from here.
+async function waitFor(page, condition, argument) {
+  const end = Date.now() + patience;
+  while (Date.now() < end) {
+    if (await page.evaluate(condition, argument)) return;
+    await new Promise((done) => setTimeout(done, 100));
+  }
+  throw new Error("it never came to this: " + condition);
+}
+
+// What is drawn into a part of the canvas, as a PNG's bytes.
+const look = async (page, clip) => Buffer.from(await page.screenshot({ clip }));
+
+async function open(browser, address, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  const page = await context.newPage();
+  page.faults = [];
+  page.on("pageerror", (error) => page.faults.push(String(error)));
+  page.on("console", (line) => line.type() === "error" && page.faults.push(line.text()));
+  await page.goto(address);
+  await waitFor(page, () => document.documentElement.dataset.state);
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.state), "ready");
+  return page;
+}
+
+const fragment = (page) => page.evaluate(() => window.versorium.fragment());
+const changed = (page, before) =>
+  waitFor(page, (was) => window.versorium.fragment() !== was, before);
+const became = (page, wanted) =>
+  waitFor(page, (is) => window.versorium.fragment() === is, wanted);
+
+const left = { x: 10, y: 40, width: 440, height: 540 };
+const right = { x: 480, y: 40, width: 440, height: 540 };
+
+const tests = {
+  async "first picture, figures"(browser, address) {
+    const begin = performance.now();
+    const context = await browser.newContext({ viewport: { width: 1280, height: 800 } });
+    const page = await context.newPage();
+    const client = await context.newCDPSession(page);
+    await client.send("Network.enable");
+    let bytes = 0;
+    client.on("Network.loadingFinished", (event) => (bytes += event.encodedDataLength));
+    await page.goto(address);
+    await waitFor(page, () => document.documentElement.dataset.state === "ready");
+    console.log(`  first picture after ${Math.round(performance.now() - begin)} ms, ${bytes} bytes transferred`);
+    await context.close();
+  },
+
+  async "pan, zoom, weld and undo"(browser, address) {
+    const page = await open(browser, address);
+    await finished(page);
+    const first = await fragment(page);
+    const julia = await look(page, right);
+    // Ctrl and a click put the ring; the other view follows.
+    await page.keyboard.down("Control");
+    await page.mouse.click(100, 260);
+    await page.keyboard.up("Control");
+    await changed(page, first);
+    await page.waitForTimeout(700); // until it is a step of its own for undo
+    await finished(page);
+    assert.ok(!julia.equals(await look(page, right)), "the right view did not follow the left ring");
+    const put = await fragment(page);
+    await page.mouse.move(300, 300);
+    await page.mouse.wheel(0, -300);
+    await changed(page, put);
+    await page.waitForTimeout(700);
+    const zoomed = await fragment(page);
+    await page.mouse.move(300, 400);
+    await page.mouse.down();
+    await page.mouse.move(340, 420, { steps: 5 });
+    await page.mouse.up();
+    await changed(page, zoomed);
+    await page.waitForTimeout(700);
+    for (const state of [zoomed, put, first]) {
+      await page.keyboard.press("Control+z");
+      await became(page, state);
+    }
+    assert.deepEqual(page.faults, []);
+    if (screenshots) await page.screenshot({ path: join(screenshots, "page.png") });
+    await page.context().close();
+  },
+
+  async "a link opens the same picture in a fresh profile"(browser, address) {
+    const page = await open(browser, address);
+    const first = await fragment(page);
+    await page.mouse.move(250, 300);
+    await page.mouse.wheel(0, -600);
+    await changed(page, first);
+    await finished(page);
+    await page.mouse.move(1150, 780);
+    await waitFor(page, () => location.hash.length > 4);
+    const link = await fragment(page);
+    const other = await open(browser, address + "#" + link);
+    await finished(other);
+    await other.mouse.move(1150, 780);
+    assert.equal(await fragment(other), link);
+    await page.context().close();
+    await other.context().close();
+  },
+
+  async "a damaged link says so"(browser, address) {
+    const page = await open(browser, address + "#v1:AAAA");
+    await page.waitForSelector("#message:not([hidden])", { timeout: patience });
+    assert.match(await page.textContent("#message-text"), /link/);
+    await page.context().close();
+  },
+
+  async "an export is the command line's file"(browser, address) {
+    const page = await open(browser, address, { acceptDownloads: true });
+    const scene = join(folder, "scene.json");
+    writeFileSync(scene, execFileSync(program, ["render", "julia", "-o", "-", "--size", "48x48"]));
+    await page.setInputFiles("#file", { name: "j.png", mimeType: "image/png", buffer: readFileSync(scene) });
+    await waitFor(page, () => document.getElementById("said").textContent.includes("j.png"));
+    await finished(page);
+    await page.mouse.move(700, 500);
+    await page.keyboard.press("Control+e");
+    await page.waitForTimeout(500);
+    if (screenshots) await page.screenshot({ path: join(screenshots, "export.png") });
+    const coming = page.waitForEvent("download", { timeout: patience });
+    await page.keyboard.press("Tab");
+    await page.keyboard.press("Enter");
+    const download = await coming;
+    const path = join(folder, "export.png");
+    await download.saveAs(path);
+    const again = execFileSync(program, ["render", path, "-o", "-"], { maxBuffer: 1 << 28 });
+    assert.ok(readFileSync(path).equals(again), "the page's PNG is not the command line's");
+    await page.context().close();
+  },
+
+  async "a lost context comes back"(browser, address) {
+    const page = await open(browser, address);
+    await finished(page);
+    await page.mouse.move(1150, 790);
+    await page.waitForTimeout(500);
+    const before = await look(page, left);
+    for (let k = 0; k < 5; ++k) {
+      await page.evaluate(async () => {
+        const canvas = document.getElementById("canvas");
+        const extension = canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
+        const once = (name) => new Promise((done) => canvas.addEventListener(name, done, { once: true }));
+        const lost = once("webglcontextlost");
+        extension.loseContext();
+        await lost;
+        await new Promise((done) => setTimeout(done, 50));
+        const restored = once("webglcontextrestored");
+        extension.restoreContext();
+        await restored;
+      });
+      await finished(page);
+      await page.waitForTimeout(300);
+    }
+    assert.ok(before.equals(await look(page, left)), "the picture is another one");
+    await page.context().close();
+  },
+
+  async "offline after the first visit"(browser, address) {
+    const page = await open(browser, address);
+    await page.evaluate(() => navigator.serviceWorker.ready);
+    await waitFor(page, () => navigator.serviceWorker.controller);
+    await page.context().setOffline(true);
+    await page.reload();
+    await waitFor(page, () => document.documentElement.dataset.state === "ready");
+    await page.context().close();
+  },
+
+  async "twice the pixels, and a phone"(browser, address) {
+    for (const [name, options] of [
+      ["dense", { deviceScaleFactor: 2, viewport: { width: 1000, height: 640 } }],
+      ["laptop", { viewport: { width: 1366, height: 640 } }],
+      ["phone", { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 }],
+    ]) {
+      const page = await open(browser, address, options);
+      await finished(page);
+      if (screenshots) await page.screenshot({ path: join(screenshots, name + ".png") });
+      const size = await page.evaluate(() => [document.getElementById("canvas").width, innerWidth * devicePixelRatio]);
+      assert.equal(size[0], size[1], name);
+      assert.deepEqual(page.faults, [], name);
+      await page.context().close();
+    }
+  },
+};
+
+const { server, address } = await serve();
+const browser = await playwright.chromium.launch({
+  executablePath: chromium,
+  args: ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
+    "--disable-component-update", "--disable-sync", "--use-gl=angle", "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader"],
+});
+let failed = 0;
+for (const [name, test] of Object.entries(tests)) {
+  if (process.env.ONLY && !name.includes(process.env.ONLY)) continue;
+  try {
+    await test(browser, address);
+    console.log("ok      " + name);
+  } catch (error) {
+    ++failed;
+    console.log("FAILED  " + name + "\n" + (error.stack ?? error));
+  }
+}
+await browser.close();
+server.kill();
+rmSync(folder, { recursive: true });
+process.exit(failed ? 1 : 0);
