@@ -41,7 +41,9 @@ float logarithm(float x) {
     return x > 0.0 ? log(x) : x == 0.0 ? uintBitsToFloat(0xff800000u) : undefinedValue();
 }
 float smoothStepOf(float n, float norm) {
-    if (uBoundless || isUndefined(norm) || uTwiceLogRadius < 0.0) return n + 1.0;
+    if (uBoundless || uTwiceLogRadius < 0.0) return n + 1.0;
+    // In 32 bits a norm is undefined because it overflowed on the way.
+    if (isUndefined(norm)) return n;
     if (uTwiceLogRadius == 0.0) return norm > 1.0 ? n : n + 1.0;
     if (isInfinite(norm)) return n;
     float ratio = logarithm(norm) / uTwiceLogRadius;
