@@ -76,6 +76,8 @@ Status GpuPicture::start(const Scene& scene, const OrbitProgram& program, Size s
 }
 
 Status GpuPicture::recolour(const Scene& scene) {
+    if (!orbits_.program.map)
+        return Status::usage("there is no picture yet whose colours could change");
     if (scene.colour.outline != "none")
         return Status::usage("the CPU draws this: the outline needs a pixel's neighbours");
     OrbitProgram program = orbits_.program;
