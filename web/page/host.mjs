@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// What the studio's Host needs of a browser: page_host.cpp calls these as Module.page.
+
+const byId = (id) => document.getElementById(id);
+
+export function announce(text) {
+  byId("said").textContent = text;
+}
+
+// A message that stays until it is closed, for what went wrong.
+export function showMessage(text) {
+  byId("message-text").textContent = text;
+  byId("message").hidden = false;
+  announce(text);
+}
+
+export function hideMessage() {
+  byId("message").hidden = true;
+}
+
+function download(name, bytes) {
+  const type = name.endsWith(".png") ? "image/png" : "application/octet-stream";
+  const address = URL.createObjectURL(new Blob([bytes], { type }));
+  const link = document.createElement("a");
+  link.href = address;
+  link.download = name;
+  link.click();
+  // The download has begun long before.
+  setTimeout(() => URL.revokeObjectURL(address), 60000);
+}
+
+function publicAddress() {
+  const configured = document.querySelector('meta[name="versorium-public-url"]').content;
+  if (configured) return configured;
+  const local = /^(localhost|127\.\d+\.\d+\.\d+|\[::1\])$/.test(location.hostname);
+  return local || location.protocol === "file:" ? "" : location.origin + location.pathname;
+}
+
+const cursors = {
+  "-1": "none", 0: "default", 1: "text", 2: "move", 3: "ns-resize", 4: "ew-resize",
+  5: "nesw-resize", 6: "nwse-resize", 7: "pointer", 8: "not-allowed",
+};
+
+// The state of the studio in the page's address. Changes that follow one another closely share one
+// entry of the history; browsers refuse when it is written too often.
+const entryAfter = 4000, writeAfter = 400; // milliseconds
+
+export class Address {
+  constructor(open) {
+    this.fragment = location.hash.slice(1);
+    this.changed = -Infinity;
+    const moved = () => {
+      const fragment = location.hash.slice(1);
+      if (fragment === this.fragment) return;
+      clearTimeout(this.timer);
+      this.fragment = fragment;
+      open(fragment);
+    };
+    addEventListener("popstate", moved);
+    addEventListener("hashchange", moved);
+  }
+
+  set(fragment) {
+    if (fragment === this.fragment) return;
+    const now = performance.now();
+    // The first state is the one the page was opened with: it has its entry.
+    this.push ||= this.fragment !== "" && now - this.changed > entryAfter;
+    this.changed = now;
+    this.fragment = fragment;
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.write(), writeAfter);
+  }
+
+  write() {
+    try {
+      if (this.push) history.pushState(null, "", "#" + this.fragment);
+      else history.replaceState(null, "", "#" + this.fragment);
+    } catch {
+      // Too many within a short time: the next change writes again.
+    }
+    this.push = false;
+  }
+}
+
+// The object that the module is made with. `studio()` is the module once it is there.
+export function makeHost({ studio, wake, address, pictures, exports }) {
+  const canvas = byId("canvas");
+  return {
+    wake,
+    copy(text) {
+      navigator.clipboard?.writeText(text).catch(() => announce("The browser did not copy."));
+    },
+    request: (request) => pictures().request(request),
+    startExport: (document, name) => exports().begin(document, name),
+    cancelExport: () => exports().cancel(),
+    save(name, bytes) {
+      download(name, bytes);
+      return true;
+    },
+    address: publicAddress,
+    stored(name) {
+      try {
+        return localStorage.getItem("versorium." + name) ?? "";
+      } catch {
+        return "";
+      }
+    },
+    store(name, text) {
+      try {
+        localStorage.setItem("versorium." + name, text);
+      } catch {
+        // Full or forbidden: the text is kept until the page closes, and no longer.
+      }
+    },
+    setFragment: (fragment) => address.set(fragment),
+    reducedMotion: () => matchMedia("(prefers-reduced-motion: reduce)").matches,
+    announce,
+    cursor(index) {
+      canvas.style.cursor = cursors[index] ?? "default";
+    },
+    // A screen keyboard comes only for a text field that has the focus.
+    typing(wanted) {
+      const field = byId("typing");
+      if (wanted && matchMedia("(pointer: coarse)").matches) field.focus({ preventScroll: true });
+      else if (!wanted && document.activeElement === field) canvas.focus({ preventScroll: true });
+    },
+    // A text on the program's heap, which it frees.
+    give(text) {
+      const module = studio();
+      const size = module.lengthBytesUTF8(text) + 1;
+      const pointer = module._malloc(size);
+      if (pointer !== 0) module.stringToUTF8(text, pointer, size);
+      return pointer;
+    },
+  };
+}
+
+export { download };

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Fetches the program and compiles it while it comes in. `onBytes(loaded, total)`.
+
+export async function compileProgram(address, total, onBytes) {
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(`${address.pathname}: the server answers ${response.status}`);
+  let loaded = 0;
+  const counted = response.body.pipeThrough(
+    new TransformStream({
+      transform(bytes, controller) {
+        loaded += bytes.byteLength;
+        onBytes(loaded, Math.max(total, loaded));
+        controller.enqueue(bytes);
+      },
+    }),
+  );
+  const headers = { "Content-Type": "application/wasm" };
+  return WebAssembly.compileStreaming(new Response(counted, { headers }));
+}
+
+// What Emscripten's modules take in order to run a program that is compiled already.
+export function instantiation(program) {
+  return (imports, receive) => {
+    WebAssembly.instantiate(program, imports).then((instance) => receive(instance, program));
+    return {};
+  };
+}

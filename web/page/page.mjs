@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+// The page: loads the program, draws frames when something happened, and opens what it is given.
+import { Address, announce, download, hideMessage, makeHost, showMessage } from "./host.mjs";
+import { listen } from "./input.mjs";
+import { compileProgram, instantiation } from "./load.mjs";
+import { Export, Pictures } from "./tasks.mjs";
+
+const byId = (id) => document.getElementById(id);
+const canvas = byId("canvas");
+const here = new URL("./", import.meta.url);
+
+let studio = null, pictures = null, exports = null, pending = 0, later = 0;
+
+// Calls a function of the program that takes texts and perhaps returns one.
+const call = (name, returns, ...texts) =>
+  studio.ccall(name, returns, texts.map(() => "string"), texts);
+
+function showBytes(loaded, total) {
+  byId("progress").value = loaded / total;
+  const kilobytes = (bytes) => Math.round(bytes / 1024);
+  byId("loaded").textContent = `${kilobytes(loaded)} of ${kilobytes(total)} kB`;
+}
+
+// Frames
+
+function fitCanvas() {
+  const ratio = window.devicePixelRatio || 1;
+  const width = Math.round(canvas.clientWidth * ratio);
+  const height = Math.round(canvas.clientHeight * ratio);
+  if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
+  return [width, height, ratio];
+}
+
+function frame() {
+  pending = 0;
+  const more = studio._page_frame(...fitCanvas());
+  if (studio._page_pictures_taken() > 0) document.documentElement.dataset.state = "ready";
+  if (more === 1) wake();
+  clearTimeout(later);
+  if (more === 2) later = setTimeout(wake, 250);
+}
+
+function wake() {
+  if (!pending && studio) pending = requestAnimationFrame(frame);
+}
+
+function wakeAnew() {
+  studio._page_wake();
+  wake();
+}
+
+// What comes back from the workers
+
+function deliverPicture(request, { bytes, message = "", seconds = 0 }) {
+  const fits = bytes?.length === request.width * request.height * 4;
+  const begin = studio._page_picture_begin(
+    request.view, request.id, fits ? request.width : 0, fits ? request.height : 0, seconds);
+  if (fits) studio.HEAPU8.set(bytes, begin);
+  call("page_picture_end", null, fits ? message : message || "the picture did not arrive");
+  wake();
+}
+
+function endExport(name, { bytes, message }) {
+  if (bytes) download(name, bytes);
+  studio.ccall("page_export_end", null, ["number", "string"],
+    [bytes ? 1 : 0, bytes ? `${name}, among your downloads` : message || "nothing arrived"]);
+  wake();
+}
+
+// Files and links
+
+function openFragment(fragment) {
+  const message = call("page_open_fragment", "string", fragment);
+  if (message) showMessage(`The link does not open: ${message}`);
+  else hideMessage();
+  wake();
+}
+
+const largest = 64 * 1024 * 1024;
+
+async function openFile(file) {
+  if (!file) return;
+  let message = "";
+  if (file.size > largest) {
+    message = `${file.name}: ${file.size} bytes are too many; ${largest} may be opened`;
+  } else {
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    const pointer = studio._malloc(bytes.length || 1);
+    if (pointer === 0) return showMessage(`${file.name}: there is not enough memory`);
+    studio.HEAPU8.set(bytes, pointer);
+    message = studio.ccall("page_open", "string", ["string", "number", "number"],
+      [file.name, pointer, bytes.length]);
+    studio._free(pointer);
+  }
+  if (message) return showMessage(message);
+  hideMessage();
+  announce(`${file.name} is open`);
+  wake();
+}
+
+function listenToFiles() {
+  const input = byId("file");
+  byId("open").addEventListener("click", () => input.click());
+  input.addEventListener("change", () => {
+    openFile(input.files[0]);
+    input.value = "";
+  });
+  document.addEventListener("dragover", (event) => event.preventDefault());
+  document.addEventListener("drop", (event) => {
+    event.preventDefault();
+    openFile(event.dataTransfer.files[0]);
+  });
+  document.addEventListener("paste", (event) => {
+    const { files } = event.clipboardData;
+    if (files.length > 0) openFile(files[0]);
+    else call("page_paste", null, event.clipboardData.getData("text/plain"));
+    event.preventDefault();
+    wake();
+  });
+  byId("dismiss").addEventListener("click", () => {
+    hideMessage();
+    canvas.focus();
+  });
+}
+
+function listenToContext() {
+  canvas.addEventListener("webglcontextlost", (event) => {
+    event.preventDefault();
+    studio._page_context_lost();
+  });
+  canvas.addEventListener("webglcontextrestored", () => {
+    studio._page_context_restored();
+    wake();
+  });
+}
+
+// The ratio of pixels changes when the window moves to another display, or is zoomed.
+function listenToSize() {
+  new ResizeObserver(wakeAnew).observe(canvas);
+  const again = () => {
+    wakeAnew();
+    matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener("change", again, { once: true });
+  };
+  again();
+}
+
+// Beginning
+
+// A page that is isolated may use threads, where that build stands beside this one.
+async function rootOf() {
+  if (!globalThis.crossOriginIsolated || !document.querySelector('meta[name="versorium-threads"]'))
+    return { root: here, threads: 0 };
+  return { root: new URL("threads/", here), threads: Math.min(8, navigator.hardwareConcurrency || 1) };
+}
+
+async function begin() {
+  const { root, threads } = await rootOf();
+  const size = Number(document.querySelector('meta[name="versorium-program-size"]').content);
+  const [program, { default: create }] = await Promise.all([
+    compileProgram(new URL("versorium_studio.wasm", root), size, showBytes),
+    import(new URL("versorium_studio.mjs", root)),
+  ]);
+  byId("loaded").textContent = "Starting …";
+  const address = new Address(openFragment);
+  const start = { program, root: root.href, threads };
+  pictures = new Pictures(start, deliverPicture);
+  let module = null;
+  const page = makeHost({
+    studio: () => module, wake, address, pictures: () => pictures, exports: () => exports,
+  });
+  module = await create({
+    page, threads: 0, instantiateWasm: instantiation(program),
+    locateFile: (name) => new URL(name, root).href,
+    onAbort: (what) => showMessage(`The program stopped: ${what}. Load the page again.`),
+  });
+  exports = new Export(start, {
+    onProgress: (progress) => { module._page_export_progress(progress); wake(); },
+    onEnd: endExport,
+  });
+  if (!module._page_start(/Mac|iP(hone|ad|od)/.test(navigator.platform) ? 1 : 0))
+    throw new Error("this browser gives no WebGL 2, which the studio draws with");
+  studio = module;
+  listen(canvas, studio, wake, () => byId("file").click());
+  listenToContext();
+  listenToFiles();
+  listenToSize();
+  byId("loading").remove();
+  canvas.focus({ preventScroll: true });
+  if (location.hash.length > 1) openFragment(location.hash.slice(1));
+  window.versorium = {
+    get framesDrawn() { return studio._page_frames_drawn(); },
+    get picturesTaken() { return studio._page_pictures_taken(); },
+    get threads() { return threads; },
+    fragment: () => call("page_fragment", "string"),
+  };
+  wakeAnew();
+}
+
+// Later visits come from the browser's own store, and work without a network.
+function keepForLater() {
+  if (!("serviceWorker" in navigator) || !window.isSecureContext) return;
+  navigator.serviceWorker.register(new URL("service_worker.js", here)).catch(() => {});
+}
+
+begin().then(keepForLater, (error) => {
+  byId("loading").remove();
+  document.documentElement.dataset.state = "failed";
+  showMessage(`Versorium did not start: ${error.message ?? error}`);
+});

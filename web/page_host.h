@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The Host of a page. What JavaScript does for it stands in page/host.mjs: the object that the
+// module was created with as "page". Pictures and exports are computed in workers, which run this
+// very program (page_worker.cpp); their answers come back through the functions at the end.
+
+#include <deque>
+
+#include "ui/host.h"
+
+namespace versorium {
+
+class PageHost : public Host {
+  public:
+    double now() const override;
+    void wake() override;
+
+    std::string clipboard() override { return clipboard_; }
+    void setClipboard(const std::string& text) override;
+
+    void requestPicture(PictureRequest request) override;
+    std::optional<PictureAnswer> takePicture() override;
+
+    void startExport(ExportRequest request) override;
+    void cancelExport() override;
+    double exportProgress() const override { return progress_; }
+    std::optional<Expected<std::string>> takeExport() override;
+
+    Expected<std::string> saveFile(const std::string& name,
+                                   std::span<const unsigned char> bytes) override;
+
+    std::string publicAddress() const override;
+    void setFragment(const std::string& fragment) override;
+
+    std::string stored(const std::string& name) override;
+    void store(const std::string& name, const std::string& text) override;
+
+    bool reducedMotion() const override;
+    void announce(const std::string& text) override;
+
+    // What the page was given by others.
+    void pasted(std::string text) { clipboard_ = std::move(text); }
+    void answer(PictureAnswer answer) { answers_.push_back(std::move(answer)); }
+    void exportMoved(double progress) { progress_ = progress; }
+    void exportEnded(Expected<std::string> outcome);
+    int picturesTaken() const { return taken_; }
+
+  private:
+    std::string clipboard_;
+    std::deque<PictureAnswer> answers_;
+    int taken_ = 0;
+    double progress_ = -1;
+    std::optional<Expected<std::string>> exported_;
+};
+
+}  // namespace versorium

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+// The studio in a page. page.mjs calls page_start() once and page_frame() for every frame; a worker
+// of the page runs the same program and calls only what stands in page_worker.cpp.
+#include <GLES3/gl3.h>
+#include <emscripten/emscripten.h>
+#include <emscripten/html5.h>
+
+#include <algorithm>
+
+#include "imgui.h"
+#include "imgui_impl_opengl3.h"
+#include "page_host.h"
+#include "page_input.h"
+#include "ui/studio.h"
+
+// clang-format off
+EM_JS(void, page_js_cursor, (int cursor), { Module.page.cursor(cursor); });
+EM_JS(void, page_js_typing, (int wanted), { Module.page.typing(wanted !== 0); });
+// clang-format on
+
+namespace {
+
+using namespace versorium;
+
+// Frames after the last event: ImGui needs up to three until hover and focus stand still.
+constexpr int kSettle = 4;
+
+struct Page {
+    PageHost host;
+    Studio studio{host};
+    float scale = 0;  // that letters were loaded for
+    int settle = kSettle;
+    int frames = 0;
+    int cursor = -1;
+    bool typing = false;
+    bool lost = false;
+    double last = 0;  // seconds, of the frame before
+    PictureAnswer incoming;
+    std::string text;  // the last one that JavaScript was given
+};
+
+// There is none in a worker.
+Page* page = nullptr;
+
+const char* kept(std::string text) {
+    page->text = std::move(text);
+    return page->text.c_str();
+}
+
+void setClipboardText(void*, const char* text) { page->host.setClipboard(text); }
+const char* clipboardText(void*) { return kept(page->host.clipboard()); }
+
+bool openContext() {
+    EmscriptenWebGLContextAttributes attributes;
+    emscripten_webgl_init_context_attributes(&attributes);
+    attributes.majorVersion = 2;
+    attributes.alpha = false;
+    attributes.depth = false;
+    attributes.antialias = false;
+    const EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context =
+        emscripten_webgl_create_context("#canvas", &attributes);
+    return context > 0 &&
+           emscripten_webgl_make_context_current(context) == EMSCRIPTEN_RESULT_SUCCESS;
+}
+
+void tellPage() {
+    const ImGuiIO& io = ImGui::GetIO();
+    const int cursor = ImGui::GetMouseCursor();
+    if (cursor != page->cursor) page_js_cursor(cursor);
+    if (io.WantTextInput != page->typing) page_js_typing(io.WantTextInput);
+    page->cursor = cursor;
+    page->typing = io.WantTextInput;
+}
+
+void draw(int width, int height) {
+    ImGuiIO& io = ImGui::GetIO();
+    const double now = page->host.now();
+    io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+    io.DeltaTime = static_cast<float>(std::clamp(now - page->last, 1e-4, 0.1));
+    page->last = now;
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui::NewFrame();
+    page->studio.frame();
+    ImGui::Render();
+    glViewport(0, 0, width, height);
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    ++page->frames;
+}
+
+}  // namespace
+
+extern "C" {
+
+// 0 where the browser gives no WebGL 2.
+EMSCRIPTEN_KEEPALIVE int page_start(int apple) {
+    if (!openContext()) return 0;
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.BackendPlatformName = "page";
+    io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
+    io.ConfigMacOSXBehaviors = apple != 0;
+    io.SetClipboardTextFn = setClipboardText;
+    io.GetClipboardTextFn = clipboardText;
+    page = new Page;
+    ImGui_ImplOpenGL3_Init("#version 300 es");
+    return 1;
+}
+
+// Draws. Returns 0 when it may rest until the next event, 1 to be called for the next frame, 2 to
+// be called again in a moment.
+EMSCRIPTEN_KEEPALIVE int page_frame(int width, int height, float scale) {
+    if (page->lost || width < 1 || height < 1) return 0;
+    if (scale != page->scale) {
+        page->studio.prepare(scale);
+        page->scale = scale;
+        // They come back with the next frame, and the letters with them.
+        ImGui_ImplOpenGL3_DestroyDeviceObjects();
+        page->settle = kSettle;
+    }
+    if (takeInput()) page->settle = kSettle;
+    draw(width, height);
+    tellPage();
+    if (page->settle > 0) --page->settle;
+    if (page->settle > 0 || page->studio.busy()) return 1;
+    return page->typing ? 2 : 0;  // the text cursor blinks
+}
+EMSCRIPTEN_KEEPALIVE void page_wake() { page->settle = kSettle; }
+
+EMSCRIPTEN_KEEPALIVE void page_context_lost() { page->lost = true; }
+EMSCRIPTEN_KEEPALIVE void page_context_restored() {
+    ImGui_ImplOpenGL3_DestroyDeviceObjects();
+    page->studio.contextLost();
+    page->lost = false;
+    page->settle = kSettle;
+}
+
+// A picture's answer: the pixels are written to where page_picture_begin points.
+EMSCRIPTEN_KEEPALIVE unsigned char* page_picture_begin(int view, double id, int width, int height,
+                                                       double seconds) {
+    page->incoming = {.view = view,
+                      .id = static_cast<std::uint64_t>(id),
+                      .size = {width, height},
+                      .seconds = seconds};
+    page->incoming.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                               4);
+    return page->incoming.rgba.data();
+}
+EMSCRIPTEN_KEEPALIVE void page_picture_end(const char* message) {
+    page->incoming.message = message;
+    if (*message) page->incoming.rgba.clear();
+    page->host.answer(std::move(page->incoming));
+    page->settle = kSettle;
+}
+
+EMSCRIPTEN_KEEPALIVE void page_export_progress(double progress) {
+    page->host.exportMoved(progress);
+}
+EMSCRIPTEN_KEEPALIVE void page_export_end(int made, const char* text) {
+    if (made)
+        page->host.exportEnded(std::string(text));
+    else
+        page->host.exportEnded(Status::inputOutput(text));
+    page->settle = kSettle;
+}
+
+EMSCRIPTEN_KEEPALIVE void page_paste(const char* text) { page->host.pasted(text); }
+
+// These return why it failed, or nothing.
+EMSCRIPTEN_KEEPALIVE const char* page_open(const char* name, const unsigned char* bytes, int size) {
+    page->settle = kSettle;
+    return kept(page->studio.openBytes(name, {bytes, static_cast<std::size_t>(size)}).message());
+}
+EMSCRIPTEN_KEEPALIVE const char* page_open_fragment(const char* fragment) {
+    page->settle = kSettle;
+    return kept(page->studio.openFragment(fragment).message());
+}
+
+EMSCRIPTEN_KEEPALIVE const char* page_fragment() { return kept(page->studio.fragment()); }
+EMSCRIPTEN_KEEPALIVE int page_frames_drawn() { return page->frames; }
+EMSCRIPTEN_KEEPALIVE int page_pictures_taken() { return page->host.picturesTaken(); }
+
+}  // extern "C"
