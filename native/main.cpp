@@ -28,13 +28,15 @@ int exitCode(const versorium::Status& status) {
 int main(int argc, char** argv) {
     CLI::App app{
         "Versorium: the dynamics of fractal maps, seen, taught and published.\n\n"
+        "Without a command it opens the studio.\n\n"
         "Examples:\n"
+        "  versorium studio mandelbrot\n"
         "  versorium plate quadratic -o plate.png\n"
         "  versorium render mandelbrot -o m.png --set center=-0.7436,0.1318 --set height=0.01\n"
         "  versorium scene plate.png > plate.json\n",
         "versorium"};
     app.set_version_flag("--version", std::string("versorium ") + VERSORIUM_VERSION);
-    app.require_subcommand(1);
+    app.require_subcommand(VERSORIUM_STUDIO ? 0 : 1, 1);
     app.fallthrough();
     versorium::CommandLine line{app, 0, {}};
     app.add_option("--threads", line.threads,
@@ -45,6 +47,9 @@ int main(int argc, char** argv) {
     versorium::addRenderCommands(line);
     versorium::addMeasureCommands(line);
     versorium::addFileCommands(line);
+#if VERSORIUM_STUDIO
+    versorium::addStudioCommand(line);
+#endif
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

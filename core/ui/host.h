@@ -16,11 +16,11 @@ namespace versorium {
 
 // A picture of a scene, asked for by a view. A new request for the same view cancels the old one.
 struct PictureRequest {
-    int view = 0;           // 0 … kMostViews - 1
-    std::uint64_t id = 0;   // comes back with the answer
-    std::string scene;      // JSON: the studio and what computes may stand in different processes
-    Size size{0, 0};        // in pixels
-    int samples = 1;        // along each side of a pixel
+    int view = 0;          // 0 … kMostViews - 1
+    std::uint64_t id = 0;  // comes back with the answer
+    std::string scene;     // JSON: the studio and what computes may stand in different processes
+    Size size{0, 0};       // in pixels
+    int samples = 1;       // along each side of a pixel
 };
 
 struct PictureAnswer {

@@ -19,7 +19,10 @@ Expected<Scene> sceneOfText(const std::string& text) {
 }  // namespace
 
 PictureAnswer computePicture(CpuRenderer& renderer, const PictureRequest& request, Job& job) {
-    PictureAnswer answer{.view = request.view, .id = request.id, .size = request.size};
+    PictureAnswer answer;
+    answer.view = request.view;
+    answer.id = request.id;
+    answer.size = request.size;
     const auto begin = std::chrono::steady_clock::now();
     Expected<Scene> scene = sceneOfText(request.scene);
     if (!scene) {
@@ -42,9 +45,8 @@ PictureAnswer computePicture(CpuRenderer& renderer, const PictureRequest& reques
 
 Expected<std::vector<unsigned char>> computeExport(CpuRenderer& renderer,
                                                    const ExportRequest& request, Job& job) {
-    Expected<Document> document =
-        documentFromBytes({reinterpret_cast<const unsigned char*>(request.document.data()),
-                           request.document.size()});
+    Expected<Document> document = documentFromBytes(
+        {reinterpret_cast<const unsigned char*>(request.document.data()), request.document.size()});
     if (!document) return document.status();
     Expected<Scene> scene = sceneWithAssets(document->body, document->assets);
     if (!scene) return scene.status();

@@ -1,23 +1,278 @@
 // SPDX-License-Identifier: MIT
 #include "ui/studio.h"
 
-#include "imgui.h"
+#include <algorithm>
+#include <cmath>
+
+#include "io/document.h"
+#include "ui/context.h"
 
 namespace versorium {
+namespace {
+
+constexpr double kQuiet = 0.4;    // seconds without a change before it is recorded
+constexpr double kNoticeFor = 6;  // seconds that a notice stays
+constexpr float kNarrow = 900;    // below this width views become tabs
+constexpr float kInspector = 330, kStrip = 150;
+
+}  // namespace
 
 struct Studio::State {
-    Host& host;
+    explicit State(Host& host) : context(host) {}
+
+    StudioContext context;
+    double lastFrame = -1;
+    double fragmentAt = 0;
+    std::string fragmentText;
+    bool fragmentOld = true;
+    bool sheetOpen = false;
+
+    void takeAnswers();
+    void settle();
+    void animate();
+    void drawViews(ImVec2 low, ImVec2 high);
+    void drawStatus();
+    void drawWide(ImVec2 low, ImVec2 size);
+    void drawNarrow(ImVec2 low, ImVec2 size);
 };
 
-Studio::Studio(Host& host) : state_(new State{host}) {}
+void Studio::State::takeAnswers() {
+    while (std::optional<PictureAnswer> answer = context.host.takePicture())
+        if (answer->view >= 0 && answer->view < kMostViews)
+            context.views[static_cast<std::size_t>(answer->view)].picture.take(std::move(*answer));
+    if (std::optional<Expected<std::string>> outcome = context.host.takeExport()) {
+        if (*outcome) {
+            context.say("Exported: " + **outcome);
+            context.exportOpen = false;
+        } else {
+            context.report(outcome->status());
+        }
+    }
+}
+
+// Records what was done, once the hand is off it, and keeps the link up to date.
+void Studio::State::settle() {
+    const double now = context.host.now();
+    if (context.touched) {
+        fragmentOld = true;
+        if (!ImGui::IsAnyMouseDown() && now - context.touchedAt > kQuiet &&
+            !context.animation.running) {
+            context.history.record(context.workspace);
+            context.touched = false;
+        }
+    }
+    if (fragmentOld && now - fragmentAt > 0.5 && !ImGui::IsAnyMouseDown()) {
+        fragmentOld = context.touched;
+        fragmentAt = now;
+        const Expected<std::string> link = workspaceToLink(context.workspace);
+        if (link && *link != fragmentText) {
+            fragmentText = *link;
+            context.host.setFragment(fragmentText);
+        }
+    }
+}
+
+void Studio::State::animate() {
+    const double now = context.host.now();
+    const double passed = lastFrame < 0 ? 0 : std::min(0.1, now - lastFrame);
+    lastFrame = now;
+    StudioContext::Animation& animation = context.animation;
+    if (!animation.running) return;
+    animation.phase += passed * 2 * 3.141592653589793 / animation.seconds;
+    const double part = 0.5 - 0.5 * std::cos(animation.phase);
+    setSharedNumber(context.workspace, animation.number,
+                    animation.low + (animation.high - animation.low) * part);
+    context.touch();
+}
+
+void Studio::State::drawViews(ImVec2 low, ImVec2 high) {
+    const Workspace& workspace = context.workspace;
+    const int count = workspace.maximised ? 1 : static_cast<int>(workspace.views.size());
+    if (count == 1) return drawView(context, workspace.focused, low, high);
+    const float gap = 6 * context.scale;
+    const int rows = count == 4 ? 2 : 1;
+    const float width = std::floor((high.x - low.x - gap) / 2);
+    const float height = std::floor((high.y - low.y - gap * static_cast<float>(rows - 1)) /
+                                    static_cast<float>(rows));
+    for (int k = 0; k < count; ++k) {
+        const ImVec2 corner{low.x + static_cast<float>(k % 2) * (width + gap),
+                            low.y + static_cast<float>(k / 2) * (height + gap)};
+        drawView(context, k, corner, {corner.x + width, corner.y + height});
+    }
+}
+
+void Studio::State::drawStatus() {
+    const double now = context.host.now();
+    if (!context.notice.empty() && now - context.noticeAt < kNoticeFor) {
+        ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "%s",
+                           context.notice.c_str());
+        return;
+    }
+    if (!context.probe.text.empty()) {
+        ImGui::TextUnformatted(context.probe.text.c_str());
+        return;
+    }
+    if (context.welcome) {
+        ImGui::TextUnformatted(
+            "Drag the ring. Every point of the left picture is a whole picture "
+            "on the right.");
+        return;
+    }
+    const LivePicture& picture =
+        context.views[static_cast<std::size_t>(context.workspace.focused)].picture;
+    ImGui::TextDisabled("Processor, double precision%s", picture.finished() ? "" : ", refining …");
+}
+
+void Studio::State::drawWide(ImVec2 low, ImVec2 size) {
+    const float bar = ImGui::GetFrameHeightWithSpacing();
+    const float inspector = kInspector * context.scale;
+    const float strip = std::min(kStrip * context.scale, size.y * 0.25f);
+    const float left = size.x - inspector - 8;
+    drawViews(low, {low.x + left, low.y + size.y - bar - strip - 6});
+    ImGui::SetCursorScreenPos({low.x, low.y + size.y - bar - strip});
+    ImGui::BeginChild("strip", {left, strip}, ImGuiChildFlags_AlwaysUseWindowPadding);
+    drawOrbitStrip(context);
+    ImGui::EndChild();
+    ImGui::SetCursorScreenPos({low.x + 8, low.y + size.y - bar + 4});
+    drawStatus();
+    ImGui::SetCursorScreenPos({low.x + size.x - inspector, low.y});
+    ImGui::BeginChild("inspector", {inspector, size.y}, ImGuiChildFlags_AlwaysUseWindowPadding);
+    drawInspector(context);
+    ImGui::EndChild();
+}
+
+void Studio::State::drawNarrow(ImVec2 low, ImVec2 size) {
+    Workspace& workspace = context.workspace;
+    const float bar = std::max(ImGui::GetFrameHeight(), 44.0f);
+    const ImVec2 button{0, bar};
+    ImGui::SetCursorScreenPos(low);
+    for (std::size_t k = 0; k < workspace.views.size(); ++k) {
+        if (k) ImGui::SameLine();
+        const std::string label = (showsParameters(workspace.views[k]) ? "Parameters" : "Points") +
+                                  std::string("##") + std::to_string(k);
+        if (ImGui::Button(label.c_str(), button)) workspace.focused = static_cast<int>(k);
+    }
+    ImGui::SameLine();
+    if (ImGui::Button(sheetOpen ? "Close" : "Controls", button)) sheetOpen = !sheetOpen;
+    ImGui::SameLine();
+    if (ImGui::Button("Undo", button)) context.undo();
+    const float sheet = sheetOpen ? size.y * 0.48f : 0;
+    const float status = ImGui::GetFrameHeightWithSpacing();
+    drawView(context, workspace.focused, {low.x, low.y + bar + 6},
+             {low.x + size.x, low.y + size.y - sheet - status});
+    ImGui::SetCursorScreenPos({low.x + 8, low.y + size.y - sheet - status + 4});
+    drawStatus();
+    if (!sheetOpen) return;
+    ImGui::SetCursorScreenPos({low.x, low.y + size.y - sheet});
+    ImGui::BeginChild("sheet", {size.x, sheet}, ImGuiChildFlags_AlwaysUseWindowPadding);
+    drawInspector(context);
+    ImGui::EndChild();
+}
+
+Studio::Studio(Host& host) : state_(new State(host)) {
+    const std::string stored = host.stored("theme");
+    for (std::size_t k = 0; k < themes().size(); ++k)
+        if (themes()[k].name == stored) state_->context.theme = k;
+    // Something moves until the first touch.
+    if (!host.reducedMotion())
+        state_->context.animation = {.number = "c.im",
+                                     .low = 0.13,
+                                     .high = 0.24,
+                                     .seconds = 24,
+                                     .phase = 1.6,
+                                     .running = true};
+}
 Studio::~Studio() = default;
-void Studio::prepare(float) {}
-void Studio::frame() { ImGui::Text("Versorium"); }
-bool Studio::busy() const { return false; }
-Status Studio::openPreset(const std::string&) { return {}; }
-Status Studio::openBytes(const std::string&, std::span<const unsigned char>) { return {}; }
-Status Studio::openFragment(const std::string&) { return {}; }
-std::string Studio::fragment() const { return {}; }
-void Studio::contextLost() {}
+
+void Studio::prepare(float scale) {
+    const Theme& theme = themes()[state_->context.theme];
+    state_->context.scale = scale;
+    state_->context.fontsChanged = false;
+    applyTheme(theme, scale);
+    loadFonts(theme, scale);
+}
+
+bool Studio::wantsPrepare() const { return state_->context.fontsChanged; }
+
+void Studio::frame() {
+    State& state = *state_;
+    StudioContext& context = state.context;
+    state.takeAnswers();
+    handleKeys(context);
+    state.animate();
+    const ImGuiViewport& screen = *ImGui::GetMainViewport();
+    ImGui::SetNextWindowPos(screen.WorkPos);
+    ImGui::SetNextWindowSize(screen.WorkSize);
+    ImGui::Begin("Versorium", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                     ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNavInputs);
+    const float margin = 6;
+    const ImVec2 low{screen.WorkPos.x + margin, screen.WorkPos.y + margin};
+    const ImVec2 size{screen.WorkSize.x - 2 * margin, screen.WorkSize.y - 2 * margin};
+    if (screen.WorkSize.x < kNarrow)
+        state.drawNarrow(low, size);
+    else
+        state.drawWide(low, size);
+    drawDialogs(context);
+    ImGui::End();
+    state.settle();
+}
+
+bool Studio::busy() const {
+    const StudioContext& context = state_->context;
+    return context.animation.running || context.touched || state_->fragmentOld ||
+           context.host.now() - context.noticeAt < kNoticeFor || context.host.exportProgress() >= 0;
+}
+
+Status Studio::openPreset(const std::string& name) {
+    Expected<Scene> scene = presetNamed(name);
+    if (!scene) return scene.status();
+    state_->context.open(workspaceOf(*scene));
+    return {};
+}
+
+Status Studio::openBytes(const std::string& name, std::span<const unsigned char> bytes) {
+    Expected<Document> document = documentFromBytes(bytes);
+    if (!document) return document.status().in(name);
+    if (document->kind != "scene")
+        return Status::data(name + ": this is a plate; only scenes open in the studio");
+    Expected<Scene> scene = sceneWithAssets(document->body, document->assets);
+    if (!scene) return scene.status().in(name);
+    state_->context.open(workspaceOf(*scene));
+    state_->context.say("Opened " + name);
+    return {};
+}
+
+Status Studio::openFragment(const std::string& fragment) {
+    if (fragment.empty() || fragment == state_->fragmentText) return {};
+    Expected<Workspace> workspace = workspaceFromLink(fragment);
+    if (!workspace) {
+        state_->context.report(workspace.status());
+        return workspace.status();
+    }
+    state_->context.open(std::move(*workspace));
+    return {};
+}
+
+std::string Studio::fragment() const {
+    const Expected<std::string> link = workspaceToLink(state_->context.workspace);
+    return link ? *link : std::string();
+}
+
+bool Studio::finished() const {
+    const Workspace& workspace = state_->context.workspace;
+    for (std::size_t k = 0; k < workspace.views.size(); ++k)
+        if (!workspace.maximised || static_cast<int>(k) == workspace.focused)
+            if (!state_->context.views[k].picture.finished()) return false;
+    return !state_->context.animation.running;
+}
+
+void Studio::tell(const Status& status) { state_->context.report(status); }
+void Studio::stopAnimation() { state_->context.animation.running = false; }
+
+void Studio::contextLost() {
+    for (ViewState& view : state_->context.views) view.picture.contextLost();
+}
 
 }  // namespace versorium

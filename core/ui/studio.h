@@ -24,6 +24,10 @@ class Studio {
 
     // One frame. All drawing goes into ImGui's lists; textures are made through OpenGL ES 3.
     void frame();
+    // The theme has changed: prepare() is due before the next frame.
+    bool wantsPrepare() const;
+    // Nothing moves, and every picture is as fine as it gets.
+    bool finished() const;
     // True while something moves or is being waited for: the shell should draw on without events.
     bool busy() const;
 
@@ -33,6 +37,10 @@ class Studio {
     // The part of a link behind the '#', checked like any foreign input.
     Status openFragment(const std::string& fragment);
     std::string fragment() const;
+
+    // Shows why something failed.
+    void tell(const Status& status);
+    void stopAnimation();
 
     // OpenGL's context was lost: forgets every name in it. Textures come back by themselves.
     void contextLost();

@@ -35,6 +35,7 @@ void addListCommands(CommandLine& line);     // maps, palettes, plates, presets,
 void addRenderCommands(CommandLine& line);   // render, plate
 void addMeasureCommands(CommandLine& line);  // eval, orbit
 void addFileCommands(CommandLine& line);     // shape, scene
+void addStudioCommand(CommandLine& line);    // studio, also what no command means
 
 // Shows progress with an estimate of what is left, on a terminal only.
 class ProgressLine {

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Workspace: what the studio shows, as one value. Every view is a whole Scene of the same map; the
+// views are welded: map, parameters, lists, shape and the orbit's starting point are the same in
+// all of them, while slice, starting rule, iterations and colours are each view's own. Undo is a
+// list of workspaces, a link is a workspace.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "scene/numbers.h"
+#include "scene/scene.h"
+
+namespace versorium {
+
+inline constexpr int kMostViews = 4;
+inline constexpr int kMostPins = 4;
+
+// A setting of all parameters that was set aside.
+using Pin = std::map<std::string, std::vector<double>>;
+
+struct Workspace {
+    std::vector<Scene> views;   // 1, 2 or 4
+    int focused = 0;            // the view that commands act on
+    bool maximised = false;     // only the focused view is shown
+    std::vector<double> point;  // z_0 of the orbit that is drawn: one number for each of a state
+    int orbitSteps = 24;
+    std::vector<Pin> pins;
+
+    Scene& view() { return views[static_cast<std::size_t>(focused)]; }
+    const Scene& view() const { return views[static_cast<std::size_t>(focused)]; }
+};
+
+// The plane of starting points, at home.
+Scene dynamicalView(const Scene& like);
+// The plane of the first two numbers among the parameters that are worth varying, started at the
+// first critical point where there is one. A map without two parameters gives a dynamical view.
+Scene parameterView(const Scene& like);
+// True when an axis of the slice is a parameter or a root.
+bool showsParameters(const Scene& scene);
+
+// The scene beside its welded partner: parameters on the left, starting points on the right.
+Workspace workspaceOf(const Scene& scene);
+// 1, 2 or 4 views; new ones repeat the kinds of the first two.
+void setViewCount(Workspace& workspace, int count);
+
+// Numbers that all views share: components of the state mean the orbit's starting point.
+double sharedNumber(const Workspace& workspace, const std::string& name);
+void setSharedNumber(Workspace& workspace, const std::string& name, double value);
+void setSharedParameter(Workspace& workspace, const std::string& name,
+                        const std::vector<double>& value);
+
+// Where the current numbers lie in a view, along its axes, and the way back.
+std::array<double, 2> markerOf(const Workspace& workspace, std::size_t view);
+void moveMarker(Workspace& workspace, std::size_t view, double u, double v);
+
+// A scene whose points are the starting points around `workspace.point`; for orbits and probes.
+Scene orbitScene(const Workspace& workspace);
+
+Json workspaceToJson(const Workspace& workspace);
+// Strict, like sceneFromJson: ErrorKind::data with the path of the fault.
+Expected<Workspace> workspaceFromJson(const Json& json);
+
+// The same as the fragment of a link: "v1:" and the deflated JSON of what differs from the map's
+// defaults, as URL-safe Base64. Assets above kLinkAssetBytes make it fail with ErrorKind::usage.
+inline constexpr std::size_t kLinkAssetBytes = 8192;
+inline constexpr std::size_t kLinkBytes = 1u << 16;  // unpacked
+Expected<std::string> workspaceToLink(const Workspace& workspace);
+Expected<Workspace> workspaceFromLink(const std::string& fragment);
+
+// All workspaces that were, with the one that is.
+class History {
+  public:
+    explicit History(Workspace first) : states_{std::move(first)} {}
+
+    const Workspace& now() const { return states_[at_]; }
+    // What could be redone is dropped. A workspace that equals the present one changes nothing.
+    void record(const Workspace& workspace);
+    bool canUndo() const { return at_ > 0; }
+    bool canRedo() const { return at_ + 1 < states_.size(); }
+    const Workspace& undo() { return states_[canUndo() ? --at_ : at_]; }
+    const Workspace& redo() { return states_[canRedo() ? ++at_ : at_]; }
+
+  private:
+    static constexpr std::size_t kMost = 10000;
+    std::vector<Workspace> states_;
+    std::size_t at_ = 0;
+};
+
+}  // namespace versorium

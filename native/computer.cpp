@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "computer.h"
+
+#include <algorithm>
+
+namespace versorium {
+
+Computer::Computer(std::function<void()> wake)
+    : wake_(std::move(wake)), thread_([this] { work(); }) {}
+
+Computer::~Computer() {
+    {
+        const std::lock_guard lock(mutex_);
+        stop_ = true;
+        if (job_) job_->cancel();
+        if (exportJob_) exportJob_->cancel();
+    }
+    changed_.notify_all();
+    thread_.join();
+    if (exportThread_.joinable()) exportThread_.join();
+}
+
+void Computer::request(PictureRequest request) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (computing_ == request.view && job_) job_->cancel();
+        waiting_[static_cast<std::size_t>(request.view)] = std::move(request);
+    }
+    changed_.notify_all();
+}
+
+std::optional<PictureAnswer> Computer::take() {
+    const std::lock_guard lock(mutex_);
+    if (answers_.empty()) return std::nullopt;
+    PictureAnswer answer = std::move(answers_.front());
+    answers_.erase(answers_.begin());
+    return answer;
+}
+
+void Computer::work() {
+    std::unique_lock lock(mutex_);
+    const auto cost = [](const PictureRequest& request) {
+        return static_cast<double>(request.size.width) * request.size.height * request.samples *
+               request.samples;
+    };
+    while (true) {
+        changed_.wait(lock, [this] {
+            return stop_ || std::any_of(waiting_.begin(), waiting_.end(),
+                                        [](const auto& one) { return one.has_value(); });
+        });
+        if (stop_) return;
+        // Coarse pictures first: every view shows something before one of them is refined.
+        std::optional<PictureRequest>* next = nullptr;
+        for (auto& one : waiting_)
+            if (one && (!next || cost(*one) < cost(**next))) next = &one;
+        PictureRequest request = std::move(**next);
+        next->reset();
+        computing_ = request.view;
+        job_ = std::make_unique<Job>();
+        Job& job = *job_;
+        lock.unlock();
+        PictureAnswer answer = computePicture(renderer_, request, job);
+        lock.lock();
+        computing_ = -1;
+        if (!job.cancelled()) answers_.push_back(std::move(answer));
+        job_.reset();
+        lock.unlock();
+        wake_();
+        lock.lock();
+    }
+}
+
+void Computer::startExport(
+    ExportRequest request,
+    std::function<Expected<std::string>(std::span<const unsigned char>)> write) {
+    const std::lock_guard lock(mutex_);
+    if (exporting_) return;
+    if (exportThread_.joinable()) exportThread_.join();
+    exporting_ = true;
+    exported_.reset();
+    exportJob_ = std::make_unique<Job>();
+    exportThread_ = std::thread([this, request = std::move(request), write = std::move(write)] {
+        CpuRenderer renderer;
+        const Expected<std::vector<unsigned char>> bytes =
+            computeExport(renderer, request, *exportJob_);
+        Expected<std::string> outcome = bytes ? write(*bytes) : bytes.status();
+        {
+            const std::lock_guard guard(mutex_);
+            exported_ = std::move(outcome);
+            exporting_ = false;
+        }
+        wake_();
+    });
+}
+
+void Computer::cancelExport() {
+    const std::lock_guard lock(mutex_);
+    if (exportJob_) exportJob_->cancel();
+}
+
+double Computer::exportProgress() {
+    const std::lock_guard lock(mutex_);
+    return exporting_ ? exportJob_->progress() : -1;
+}
+
+std::optional<Expected<std::string>> Computer::takeExport() {
+    const std::lock_guard lock(mutex_);
+    std::optional<Expected<std::string>> outcome = std::move(exported_);
+    exported_.reset();
+    return outcome;
+}
+
+}  // namespace versorium

@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: MIT
+"""The studio's window on a virtual display, with a hand on mouse and keys: test_window.py PROGRAM"""
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM = None
+PATIENCE = 60  # seconds: for machines that are busy with other tests
+
+
+def program(*arguments, display=None, **options):
+    environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    environment["XDG_CONFIG_HOME"] = options.pop("settings")
+    if display:
+        environment["DISPLAY"] = display
+        environment["LIBGL_ALWAYS_SOFTWARE"] = "1"
+    return subprocess.Popen([PROGRAM, *arguments], env=environment, stdout=subprocess.PIPE,
+                            stderr=subprocess.PIPE, **options)
+
+
+class Window(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        read, write = os.pipe()
+        cls.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x800x24", "-nolisten", "tcp"],
+            pass_fds=[write], stderr=subprocess.DEVNULL)
+        os.close(write)
+        # The whole line: the server ends when it cannot write all of it.
+        with os.fdopen(read) as line:
+            cls.display = ":" + line.readline().strip()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.server.terminate()
+        cls.server.wait()
+
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def start(self, *arguments, display=True):
+        run = program(*arguments, display=self.display if display else None,
+                      settings=os.path.join(self.folder, "settings"), cwd=self.folder)
+        self.addCleanup(run.communicate)
+        self.addCleanup(run.kill)
+        return run
+
+    def finish(self, run):
+        out, err = run.communicate(timeout=PATIENCE)
+        return run.returncode, out.decode(), err.decode()
+
+    def shoot(self, *arguments):
+        path = os.path.join(self.folder, "window.png")
+        code, _, err = self.finish(self.start("studio", *arguments, "--screenshot", path))
+        self.assertEqual(code, 0, err)
+        return self.colours(path)
+
+    def colours(self, path, area="1280x800+0+0"):
+        """How many colours there are in a part of a picture."""
+        out = subprocess.run(["convert", path, "-crop", area, "+repage", "-format", "%k", "info:"],
+                             check=True, capture_output=True).stdout
+        return int(out)
+
+    def hand(self, *words):
+        environment = dict(os.environ, DISPLAY=self.display)
+        subprocess.run(["xdotool", *map(str, words)], check=True, env=environment, timeout=PATIENCE,
+                       stdout=subprocess.DEVNULL)
+
+    def press(self, modifier, key):
+        """As slowly as a hand does: a slow machine sees fewer frames than key strokes."""
+        for words in (("keydown", modifier), ("keydown", key), ("keyup", key), ("keyup", modifier)):
+            self.hand(*words)
+            time.sleep(0.15)
+
+    def screen(self, name):
+        path = os.path.join(self.folder, name)
+        subprocess.run(["import", "-display", self.display, "-window", "root", path], check=True)
+        return path
+
+    def differing(self, one, other, area):
+        """The share of pixels that differ in a part of the screen."""
+        out = subprocess.run(["compare", "-metric", "AE", "-fuzz", "4%", "-extract", area, one,
+                              other, "null:"], capture_output=True).stderr
+        width, height = map(int, area.split("+")[0].split("x"))
+        return float(out.split()[0]) / (width * height)
+
+    def wait_for(self, what, condition):
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end:
+            if condition():
+                return
+            time.sleep(0.2)
+        self.fail(f"it never came to this: {what}")
+
+    def steady(self, name):
+        """The screen once it does not change any more."""
+        last = self.screen("last.png")
+        for _ in range(PATIENCE):
+            time.sleep(0.7)
+            now = self.screen(name)
+            if self.differing(last, now, "1280x800+0+0") == 0:
+                return now
+            shutil.copy(now, last)
+        self.fail("the screen never came to rest")
+
+    def test_without_a_display_it_names_what_works(self):
+        for arguments in ((), ("studio", "julia")):
+            code, _, err = self.finish(self.start(*arguments, display=False))
+            self.assertEqual(code, 2)
+            self.assertIn("versorium render", err)
+
+    def test_it_starts_and_draws_every_kind_of_scene(self):
+        for preset in ("mandelbrot", "henon", "logistic", "newton", "quaternion-julia"):
+            self.assertGreater(self.shoot(preset), 300, preset)
+
+    def test_a_picture_opens_and_what_is_none_is_refused(self):
+        picture = os.path.join(self.folder, "julia.png")
+        run = self.start("render", "julia", "-o", picture, "--size", "64x64", display=False)
+        self.assertEqual(self.finish(run)[0], 0)
+        self.assertGreater(self.shoot(picture), 300)
+        code, _, err = self.finish(self.start("studio", "no-such-scene"))
+        self.assertNotEqual(code, 0)
+        self.assertIn("no-such-scene", err)
+
+    def test_hand_on_mouse_and_keys(self):
+        left, right = "440x580+10+10", "440x580+480+10"
+        run = self.start("studio", "mandelbrot")
+        self.hand("search", "--sync", "--name", "^Versorium$", "windowfocus", "--sync")
+        self.hand("mousemove", 235, 580)
+        first = self.steady("first.png")
+        # The middle of the parameter plane is c = -0.65, which lies on view 1: the preset's ring
+        # stands at c = 0. Ctrl and a click put it elsewhere, and the other view follows.
+        self.hand("keydown", "ctrl", "mousemove", 100, 260, "click", 1, "keyup", "ctrl")
+        self.hand("mousemove", 235, 580)
+        moved = self.steady("moved.png")
+        self.assertGreater(self.differing(first, moved, right), 0.05)
+        # The wheel goes in where the pointer is.
+        self.hand("mousemove", 300, 300, "click", 4, "click", 4, "click", 4)
+        self.hand("mousemove", 235, 580)
+        zoomed = self.steady("zoomed.png")
+        self.assertGreater(self.differing(moved, zoomed, left), 0.05)
+        # Undo brings both back: each deed is a step of its own.
+        self.press("ctrl", "z")
+        again = self.steady("again.png")
+        self.assertLess(self.differing(moved, again, left), 0.02)
+        self.press("ctrl", "z")
+        again = self.steady("again.png")
+        self.assertLess(self.differing(first, again, right), 0.02)
+        # The scene is saved beside, and opens again.
+        self.press("ctrl", "s")
+        scene = os.path.join(self.folder, "quadratic.json")
+        self.wait_for("a saved scene", lambda: os.path.exists(scene))
+        self.assertIsNone(run.poll())
+        run.kill()
+        self.assertGreater(self.shoot(scene), 300)
+
+
+if __name__ == "__main__":
+    PROGRAM = os.path.abspath(sys.argv.pop(1))
+    missing = [tool for tool in ("Xvfb", "xdotool", "import", "convert") if not shutil.which(tool)]
+    if missing:
+        print("SKIPPED: these are missing: " + ", ".join(missing))
+        sys.exit(77)
+    unittest.main()
