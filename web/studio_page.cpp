@@ -113,7 +113,7 @@ EMSCRIPTEN_KEEPALIVE int page_start(int apple) {
 // be called again in a moment.
 EMSCRIPTEN_KEEPALIVE int page_frame(int width, int height, float scale) {
     if (page->lost || width < 1 || height < 1) return 0;
-    if (scale != page->scale) {
+    if (scale != page->scale || page->studio.wantsPrepare()) {
         page->studio.prepare(scale);
         page->scale = scale;
         // They come back with the next frame, and the letters with them.
@@ -179,6 +179,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_fragment(const char* fragment) {
 }
 
 EMSCRIPTEN_KEEPALIVE const char* page_fragment() { return kept(page->studio.fragment()); }
+EMSCRIPTEN_KEEPALIVE int page_finished() { return page->studio.finished() ? 1 : 0; }
 EMSCRIPTEN_KEEPALIVE int page_frames_drawn() { return page->frames; }
 EMSCRIPTEN_KEEPALIVE int page_pictures_taken() { return page->host.picturesTaken(); }
 

@@ -190,6 +190,7 @@ async function begin() {
   window.versorium = {
     get framesDrawn() { return studio._page_frames_drawn(); },
     get picturesTaken() { return studio._page_pictures_taken(); },
+    get finished() { return studio._page_finished() === 1; },
     get threads() { return threads; },
     fragment: () => call("page_fragment", "string"),
   };
