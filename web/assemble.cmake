@@ -1,14 +1,10 @@
-# Puts the page together: cmake -DPAGE=… -DBUILT=… -DDIST=… [-DTHREADS=…] -P assemble.cmake
-# THREADS is the folder of the build with threads, if that shall stand beside the other one.
+# Puts the page together: cmake -DPAGE=… -DBUILT=… -DDIST=… -P assemble.cmake
 # index.html learns the length of the program, the service worker all names and a hash of all.
 file(REMOVE_RECURSE "${DIST}")
 file(MAKE_DIRECTORY "${DIST}")
 file(COPY "${BUILT}/versorium_studio.mjs" "${BUILT}/versorium_studio.wasm" DESTINATION "${DIST}")
-set(THREADS_MARK "")
-if(THREADS AND EXISTS "${THREADS}/versorium_studio.worker.js")
-    file(COPY "${THREADS}/versorium_studio.mjs" "${THREADS}/versorium_studio.wasm"
-        "${THREADS}/versorium_studio.worker.js" DESTINATION "${DIST}/threads")
-    set(THREADS_MARK "<meta name=\"versorium-threads\" content=\"threads/\">")
+if(EXISTS "${BUILT}/versorium_studio.worker.js")
+    file(COPY "${BUILT}/versorium_studio.worker.js" DESTINATION "${DIST}")
 endif()
 file(SIZE "${DIST}/versorium_studio.wasm" PROGRAM_SIZE)
 file(GLOB names RELATIVE "${PAGE}" "${PAGE}/*")
@@ -21,7 +17,7 @@ foreach(name IN LISTS names)
     endif()
 endforeach()
 
-file(GLOB_RECURSE names RELATIVE "${DIST}" "${DIST}/*")
+file(GLOB names RELATIVE "${DIST}" "${DIST}/*")
 list(SORT names)
 set(hashes "")
 set(FILES "")

@@ -179,8 +179,9 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_fragment(const char* fragment) {
 }
 
 EMSCRIPTEN_KEEPALIVE const char* page_fragment() { return kept(page->studio.fragment()); }
-EMSCRIPTEN_KEEPALIVE int page_finished() { return page->studio.finished() ? 1 : 0; }
 EMSCRIPTEN_KEEPALIVE int page_frames_drawn() { return page->frames; }
+EMSCRIPTEN_KEEPALIVE int page_finished() { return page->studio.finished() ? 1 : 0; }
+EMSCRIPTEN_KEEPALIVE void page_stop() { page->studio.stopAnimation(); }
 EMSCRIPTEN_KEEPALIVE int page_pictures_taken() { return page->host.picturesTaken(); }
 
 }  // extern "C"

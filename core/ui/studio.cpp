@@ -26,6 +26,7 @@ struct Studio::State {
     std::string fragmentText;
     bool fragmentOld = true;
     bool sheetOpen = false;
+    bool narrow = false;  // one view at a time
 
     void takeAnswers();
     void settle();
@@ -143,7 +144,7 @@ void Studio::State::drawWide(ImVec2 low, ImVec2 size) {
 
 void Studio::State::drawNarrow(ImVec2 low, ImVec2 size) {
     Workspace& workspace = context.workspace;
-    const float bar = std::max(ImGui::GetFrameHeight(), 44.0f);
+    const float bar = std::max(ImGui::GetFrameHeight(), 44 * context.scale);
     const ImVec2 button{0, bar};
     ImGui::SetCursorScreenPos(low);
     for (std::size_t k = 0; k < workspace.views.size(); ++k) {
@@ -210,7 +211,8 @@ void Studio::frame() {
     const float margin = 6;
     const ImVec2 low{screen.WorkPos.x + margin, screen.WorkPos.y + margin};
     const ImVec2 size{screen.WorkSize.x - 2 * margin, screen.WorkSize.y - 2 * margin};
-    if (screen.WorkSize.x < kNarrow)
+    state.narrow = screen.WorkSize.x < kNarrow * context.scale;
+    if (state.narrow)
         state.drawNarrow(low, size);
     else
         state.drawWide(low, size);
@@ -262,9 +264,11 @@ std::string Studio::fragment() const {
 
 bool Studio::finished() const {
     const Workspace& workspace = state_->context.workspace;
-    for (std::size_t k = 0; k < workspace.views.size(); ++k)
-        if (!workspace.maximised || static_cast<int>(k) == workspace.focused)
-            if (!state_->context.views[k].picture.finished()) return false;
+    for (std::size_t k = 0; k < workspace.views.size(); ++k) {
+        const bool shown =
+            !(workspace.maximised || state_->narrow) || static_cast<int>(k) == workspace.focused;
+        if (shown && !state_->context.views[k].picture.finished()) return false;
+    }
     return !state_->context.animation.running;
 }
 

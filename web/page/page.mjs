@@ -190,8 +190,9 @@ async function begin() {
   window.versorium = {
     get framesDrawn() { return studio._page_frames_drawn(); },
     get picturesTaken() { return studio._page_pictures_taken(); },
-    get finished() { return studio._page_finished() === 1; },
     get threads() { return threads; },
+    get finished() { return studio._page_finished() === 1; },
+    stop: () => studio._page_stop(),
     fragment: () => call("page_fragment", "string"),
   };
   wakeAnew();

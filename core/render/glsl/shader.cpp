@@ -88,8 +88,13 @@ float listItem(int list, int item, int component) {
     if (component == 4) return texelFetch(uRoots, ivec2(item, 2 * list + 1), 0).x;
     return texelFetch(uRoots, ivec2(item, 2 * list), 0)[component];
 }
+)";
+
+// The distance field as a stored grid; a planar one ignores z.
+constexpr const char* kGridField = R"(
 float fieldAt(vec3 p) {
     ivec3 nodes = textureSize(uGrid, 0);
+    if (nodes.z == 1) p.z = 0.5 * (uGridMinimum.z + uGridMaximum.z);
     vec3 u = clamp((p - uGridMinimum) / (uGridMaximum - uGridMinimum), 0.0, 1.0) * vec3(nodes - 1);
     ivec3 cell = clamp(ivec3(floor(u)), ivec3(0), max(nodes - 2, 0));
     vec3 t = u - vec3(cell);
@@ -149,15 +154,119 @@ void main() {
 }
 )";
 
+// One draw of the iteration: a number of steps from where the last draw ended. uNumbers holds each
+// number of an orbit at the middle of the picture, and what it grows by from pixel to pixel to the
+// right and up. Comparisons with NaN are what optimisers get wrong, so its bits are looked at.
+constexpr const char* kIteration = R"(
+uniform vec4 uNumbers[COUNT];
+uniform vec2 uSize;
+uniform int uIterations;
+uniform int uSteps;
+uniform bool uFirst;
+uniform bool uBounded;
+uniform float uSquaredRadius;
+uniform sampler2D uFields;
+uniform sampler2D uState;
+
+layout(location = 0) out vec4 outFields;
+layout(location = 1) out vec4 outState;
+layout(location = 2) out vec4 outImage;
+
+bool within(float norm) {
+    bool undefinedNorm = (floatBitsToUint(norm) & 0x7fffffffu) > 0x7f800000u;
+    return !undefinedNorm && (!uBounded || norm <= uSquaredRadius);
+}
+float squaredNorm(float state[D]) {
+    float sum = 0.0;
+    for (int k = 0; k < D; ++k) sum += state[k] * state[k];
+    return sum;
+}
+vec4 packed4(float state[D]) {
+    return vec4(state[0], D > 1 ? state[min(1, D - 1)] : 0.0, D > 2 ? state[min(2, D - 1)] : 0.0,
+                D > 3 ? state[D - 1] : 0.0);
+}
+float number(int k, vec2 at) {
+    return uNumbers[k].x + at.x * uNumbers[k].y + at.y * uNumbers[k].z;
+}
+void main() {
+    vec2 at = gl_FragCoord.xy - 0.5 * uSize;
+    float state[D];
+    float parameters[P];
+    for (int k = 0; k < P; ++k) parameters[k] = number(D + k, at);
+    for (int k = 0; k < 4; ++k) overrideValue[k] = number(D + P + k, at);
+    float n = 0.0;
+    float attraction = 0.0;
+    float norm;
+    if (uFirst) {
+        for (int k = 0; k < D; ++k) state[k] = number(k, at);
+        norm = squaredNorm(state);
+    } else {
+        vec4 fields = texelFetch(uFields, ivec2(gl_FragCoord.xy), 0);
+        vec4 stored = texelFetch(uState, ivec2(gl_FragCoord.xy), 0);
+        for (int k = 0; k < D; ++k) state[k] = stored[k];
+        n = fields.x;
+        norm = fields.y;
+        attraction = fields.w;
+    }
+    bool alive = within(norm);
+    outImage = vec4(0.0);
+    for (int i = 0; i < uSteps; ++i) {
+        bool counts = alive && n < float(uIterations);
+        bool first = uFirst && i == 0;
+        if (!counts && !first) break;
+        float next[D];
+        for (int k = 0; k < D; ++k) next[k] = state[k];
+        mapStep(next, parameters);
+        // The first image is a field of its own, also where the start lies outside already.
+        if (first) outImage = packed4(next);
+        if (!counts) break;
+        for (int k = 0; k < D; ++k) state[k] = next[k];
+        float before = norm;
+        norm = squaredNorm(state);
+        n += 1.0;
+        alive = within(norm);
+        float difference = norm - before;
+        if (alive && attraction == 0.0 && difference * difference < ATTRACTION) attraction = n;
+    }
+    outFields = vec4(n, norm, alive ? 0.0 : 1.0, attraction);
+    outState = packed4(state);
+}
+)";
+
+// The shape's numbers are uniforms, so that one program serves all shapes of the same form.
+std::string shapeField(const Tape& shape) {
+    const std::string step = glslStep(shape);
+    const std::string count = std::to_string(std::max(shape.parameterSize, 1));
+    std::string text = "uniform float uShape[" + count + "];\nvoid shapeStep";
+    text += step.substr(step.find('('));
+    return text +
+           "float fieldAt(vec3 p) {\n"
+           "    float at[3];\n"
+           "    at[0] = p.x;\n"
+           "    at[1] = p.y;\n"
+           "    at[2] = p.z;\n"
+           "    float numbers[" +
+           count + "];\n    for (int k = 0; k < " + count +
+           "; ++k) numbers[k] = uShape[k];\n"
+           "    shapeStep(at, numbers);\n"
+           "    return at[0];\n"
+           "}\n";
+}
+
+std::string sizesOf(const Tape& tape) {
+    return "#define D " + std::to_string(tape.stateSize) + "\n#define P " +
+           std::to_string(std::max(tape.parameterSize, 1)) + "\n#define COUNT (D + P + 4)\n";
+}
+
 }  // namespace
 
+std::string iterationShader(const Tape& tape, const Tape* shape, double attraction) {
+    return kHead + sizesOf(tape) + "#define ATTRACTION " + glslFloat(attraction) + "\n" + kLibrary +
+           (shape ? shapeField(*shape) : std::string(kGridField)) + glslStep(tape) + kIteration;
+}
+
 std::string escapeShader(const Tape& tape) {
-    const int parameters = std::max(tape.parameterSize, 1);
-    std::string text = kHead;
-    text += "#define D " + std::to_string(tape.stateSize) + "\n";
-    text += "#define P " + std::to_string(parameters) + "\n";
-    text += "#define COUNT (D + P + 4)\n";
-    return text + kLibrary + glslStep(tape) + kFrame;
+    return kHead + sizesOf(tape) + kLibrary + kGridField + glslStep(tape) + kFrame;
 }
 
 }  // namespace versorium

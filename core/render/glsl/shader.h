@@ -15,4 +15,12 @@ namespace versorium {
 
 std::string escapeShader(const Tape& tape);
 
+// The same orbit a few steps at a time, with its state kept in textures between draws:
+//   outFields  (n, squared norm, 1 when escaped, attraction step or 0)
+//   outState   z_n
+//   outImage   f(z_0), written by the first draw only
+// `shape` is the recorded distance of an analytic shape (3 numbers of state; its constants are its
+// parameters) or null for a grid. `attraction` bounds squared differences of squared norms.
+std::string iterationShader(const Tape& tape, const Tape* shape, double attraction);
+
 }  // namespace versorium

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The second pass as a fragment shader: kept orbits become fields (fields/field_names.h, as
+// fields/evaluate.cpp computes them) and fields become colours (colour/scale.h, colour/rules.h).
+// One program serves all scenes; what differs comes as uniforms. Row 0 of what it draws is the top
+// of the picture, while kept orbits have their row 0 at the bottom.
+
+#include <string>
+
+namespace versorium {
+
+// Values of uRule; `raw` writes the field's own numbers.
+enum class GpuRule { palette, gradient, versor, phase, raw };
+
+std::string colourShader();
+
+}  // namespace versorium
