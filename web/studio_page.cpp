@@ -129,10 +129,14 @@ EMSCRIPTEN_KEEPALIVE int page_frame(int width, int height, float scale) {
 }
 EMSCRIPTEN_KEEPALIVE void page_wake() { page->settle = kSettle; }
 
-EMSCRIPTEN_KEEPALIVE void page_context_lost() { page->lost = true; }
-EMSCRIPTEN_KEEPALIVE void page_context_restored() {
+// What was made in a lost context is let go while it is lost: the one that is restored would take
+// the old names for another's and report an error.
+EMSCRIPTEN_KEEPALIVE void page_context_lost() {
+    page->lost = true;
     ImGui_ImplOpenGL3_DestroyDeviceObjects();
     page->studio.contextLost();
+}
+EMSCRIPTEN_KEEPALIVE void page_context_restored() {
     page->lost = false;
     page->settle = kSettle;
 }
