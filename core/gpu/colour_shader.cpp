@@ -3,15 +3,10 @@
 
 #include "colour/scale.h"
 #include "fields/field_names.h"
+#include "render/glsl/shader.h"
 
 namespace versorium {
 namespace {
-
-constexpr const char* kHead = R"(#version 300 es
-precision highp float;
-precision highp int;
-precision highp sampler2D;
-)";
 
 constexpr const char* kFieldText = R"(
 uniform sampler2D uFields;
@@ -220,7 +215,7 @@ void define(std::string& text, const char* name, int value) {
 }  // namespace
 
 std::string colourShader() {
-    std::string text = kHead;
+    std::string text = kShaderHead;
     const auto field = [&](const char* name, FieldName value) {
         define(text, name, static_cast<int>(value));
     };

@@ -210,15 +210,4 @@ const OrbitProgram* StudioContext::orbitProgram() {
     return bind(bound_[kMostViews], orbitScene(workspace));
 }
 
-Viewport viewportOf(const Scene& scene, Size size) {
-    Viewport viewport;
-    viewport.size = size;
-    for (std::size_t k = 0; k < 2 && k < scene.slice.centre.size(); ++k) {
-        viewport.centre[k] = scene.slice.centre[k];
-        viewport.centreLow[k] = scene.slice.centreLow[k];
-    }
-    viewport.height = scene.slice.height;
-    return viewport;
-}
-
 }  // namespace versorium

@@ -12,6 +12,7 @@
 
 #include "fields/evaluate.h"
 #include "render/bind.h"
+#include "render/viewport.h"
 #include "ui/host.h"
 #include "ui/live_picture.h"
 #include "ui/theme.h"
@@ -111,7 +112,5 @@ void drawInspector(StudioContext& context);
 void drawOrbitStrip(StudioContext& context);
 void drawDialogs(StudioContext& context);
 void handleKeys(StudioContext& context);
-
-Viewport viewportOf(const Scene& scene, Size size);
 
 }  // namespace versorium

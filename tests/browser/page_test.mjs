@@ -3,25 +3,14 @@
 // ROOT is the repository, PROGRAM the native one, whose exports must be the page's, byte for byte.
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
-import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { changed, fragment, patience, prepare, runAll, waitFor } from "./browser.mjs";
 
 const [root, program, screenshots] = process.argv.slice(2);
-const skip = (why) => {
-  console.log("SKIPPED: " + why);
-  process.exit(77);
-};
-const chromium = "/usr/bin/chromium";
-const dist = join(root, "build/web/dist");
-const driver = join(root, ".deps/node_modules/playwright-core");
-if (!existsSync(join(dist, "index.html"))) skip("there is no page: run scripts/build web");
-if (!existsSync(driver)) skip("playwright-core is missing: run scripts/setup web");
-if (!existsSync(chromium)) skip("chromium is missing: run scripts/setup web");
-const playwright = createRequire(import.meta.url)(driver);
+const { browser } = await prepare(root);
 
-const patience = 90000; // milliseconds: for machines that are busy with other tests
 const folder = mkdtempSync(join(tmpdir(), "versorium-page-"));
 
 function serve() {
@@ -39,16 +28,6 @@ const finished = (page) =>
     return window.versorium.picturesTaken > 1 && window.versorium.finished;
   });
 
-// The content policy forbids what playwright's own waitForFunction does in the page: ask from here.
-async function waitFor(page, condition, argument) {
-  const end = Date.now() + patience;
-  while (Date.now() < end) {
-    if (await page.evaluate(condition, argument)) return;
-    await new Promise((done) => setTimeout(done, 100));
-  }
-  throw new Error("it never came to this: " + condition);
-}
-
 // What is drawn into a part of the canvas, as a PNG's bytes.
 const look = async (page, clip) => Buffer.from(await page.screenshot({ clip }));
 
@@ -64,9 +43,6 @@ async function open(browser, address, options = {}) {
   return page;
 }
 
-const fragment = (page) => page.evaluate(() => window.versorium.fragment());
-const changed = (page, before) =>
-  waitFor(page, (was) => window.versorium.fragment() !== was, before);
 const became = (page, wanted) =>
   waitFor(page, (is) => window.versorium.fragment() === is, wanted);
 
@@ -223,23 +199,7 @@ const tests = {
 };
 
 const { server, address } = await serve();
-const browser = await playwright.chromium.launch({
-  executablePath: chromium,
-  args: ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
-    "--disable-component-update", "--disable-sync", "--use-gl=angle", "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader"],
-});
-let failed = 0;
-for (const [name, test] of Object.entries(tests)) {
-  if (process.env.ONLY && !name.includes(process.env.ONLY)) continue;
-  try {
-    await test(browser, address);
-    console.log("ok      " + name);
-  } catch (error) {
-    ++failed;
-    console.log("FAILED  " + name + "\n" + (error.stack ?? error));
-  }
-}
+const failed = await runAll(tests, browser, address);
 await browser.close();
 server.kill();
 rmSync(folder, { recursive: true });

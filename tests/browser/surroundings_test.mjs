@@ -4,23 +4,11 @@
 import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
 import { createServer } from "node:http";
-import { createRequire } from "node:module";
-import { extname, join, resolve } from "node:path";
+import { extname, join } from "node:path";
+import { changed, fragment, patience, prepare, runAll, waitFor } from "./browser.mjs";
 
 const [root] = process.argv.slice(2);
-const skip = (why) => {
-  console.log("SKIPPED: " + why);
-  process.exit(77);
-};
-const chromium = "/usr/bin/chromium";
-const dist = join(root, "build/web/dist");
-const driver = resolve(root, ".deps/node_modules/playwright-core");
-if (!existsSync(join(dist, "index.html"))) skip("there is no page: run scripts/build web");
-if (!existsSync(driver)) skip("playwright-core is missing: run scripts/setup web");
-if (!existsSync(chromium)) skip("chromium is missing: run scripts/setup web");
-const playwright = createRequire(import.meta.url)(driver);
-
-const patience = 90000; // milliseconds: for machines that are busy with other tests
+const { dist, browser } = await prepare(root);
 
 // The page below /some/folder/, and at / a tall page that has it in a frame. Nothing more is sent
 // than a plain host for static files sends.
@@ -43,19 +31,8 @@ await new Promise((done) => server.listen(0, "127.0.0.1", done));
 const outside = `http://localhost:${server.address().port}/`;
 const address = outside + "some/folder/";
 
-// The content policy forbids what playwright's own waitForFunction does in the page: ask from here.
-async function waitFor(page, condition, argument) {
-  const end = Date.now() + patience;
-  while (Date.now() < end) {
-    if (await page.evaluate(condition, argument)) return;
-    await new Promise((done) => setTimeout(done, 100));
-  }
-  throw new Error("it never came to this: " + condition);
-}
 const ready = (page) => waitFor(page, () => document.documentElement?.dataset.state === "ready");
 const finished = (page) => waitFor(page, () => window.versorium?.finished);
-const fragment = (page) => page.evaluate(() => window.versorium.fragment());
-const changed = (page, before) => waitFor(page, (was) => window.versorium.fragment() !== was, before);
 
 // Without motion, so that states can be compared.
 async function visit(browser, where, options = {}) {
@@ -181,23 +158,7 @@ const tests = {
   },
 };
 
-const browser = await playwright.chromium.launch({
-  executablePath: chromium,
-  args: ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
-    "--disable-component-update", "--disable-sync", "--use-gl=angle", "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader"],
-});
-let failed = 0;
-for (const [name, test] of Object.entries(tests)) {
-  if (process.env.ONLY && !name.includes(process.env.ONLY)) continue;
-  try {
-    await test(browser);
-    console.log("ok      " + name);
-  } catch (error) {
-    ++failed;
-    console.log("FAILED  " + name + "\n" + (error.stack ?? error));
-  }
-}
+const failed = await runAll(tests, browser);
 await browser.close();
 server.close();
 process.exit(failed ? 1 : 0);

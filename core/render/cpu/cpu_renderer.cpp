@@ -6,6 +6,7 @@
 
 #include "render/colouring.h"
 #include "render/outline.h"
+#include "render/viewport.h"
 
 namespace versorium {
 namespace {
@@ -22,17 +23,6 @@ struct Samples {
         w.push_back(0);
     }
 };
-
-Viewport viewportOf(const Scene& scene, Size samples) {
-    Viewport view;
-    view.size = samples;
-    for (std::size_t k = 0; k < 2 && k < scene.slice.centre.size(); ++k) {
-        view.centre[k] = scene.slice.centre[k];
-        view.centreLow[k] = scene.slice.centreLow[k];
-    }
-    view.height = scene.slice.height;
-    return view;
-}
 
 double thirdCoordinate(const Scene& scene) {
     return scene.slice.centre.size() > 2 ? scene.slice.centre[2] + scene.slice.centreLow[2] : 0;

@@ -6,14 +6,15 @@
 #include "trace/glsl.h"
 
 namespace versorium {
-namespace {
 
-constexpr const char* kHead = R"(#version 300 es
+const char* const kShaderHead = R"(#version 300 es
 precision highp float;
 precision highp int;
 precision highp sampler2D;
 precision highp sampler3D;
 )";
+
+namespace {
 
 // Functions with the meaning that the processor's have (math/power.h, shape/field.h).
 constexpr const char* kLibrary = R"(
@@ -261,12 +262,13 @@ std::string sizesOf(const Tape& tape) {
 }  // namespace
 
 std::string iterationShader(const Tape& tape, const Tape* shape, double attraction) {
-    return kHead + sizesOf(tape) + "#define ATTRACTION " + glslFloat(attraction) + "\n" + kLibrary +
-           (shape ? shapeField(*shape) : std::string(kGridField)) + glslStep(tape) + kIteration;
+    return kShaderHead + sizesOf(tape) + "#define ATTRACTION " + glslFloat(attraction) + "\n" +
+           kLibrary + (shape ? shapeField(*shape) : std::string(kGridField)) + glslStep(tape) +
+           kIteration;
 }
 
 std::string escapeShader(const Tape& tape) {
-    return kHead + sizesOf(tape) + kLibrary + kGridField + glslStep(tape) + kFrame;
+    return kShaderHead + sizesOf(tape) + kLibrary + kGridField + glslStep(tape) + kFrame;
 }
 
 }  // namespace versorium

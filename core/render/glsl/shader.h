@@ -13,6 +13,9 @@
 
 namespace versorium {
 
+// What every fragment shader begins with: the version, and all precisions.
+extern const char* const kShaderHead;
+
 std::string escapeShader(const Tape& tape);
 
 // The same orbit a few steps at a time, with its state kept in textures between draws:
