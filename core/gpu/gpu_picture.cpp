@@ -18,8 +18,13 @@ constexpr double kShortestDraw = 0.004;
 constexpr double kLongestDraw = 0.03;
 constexpr int kLeastSteps = 16;      // per draw: reading and writing a pixel cost about one
 constexpr double kFirstRate = 5e6;   // cautious: a slow processor's, for an expensive map
-constexpr double kGrowth = 1.5;      // of the rate from draw to draw
+constexpr double kGrowth = 2;        // of the rate from draw to draw
 constexpr double kAboveSlowest = 3;  // rows of escaped orbits are fast, the next may not be
+// Where fences are only looked at between frames, a draw that ended within a frame's time may have
+// taken any part of it.
+constexpr double kFrame = 0.025;
+constexpr double kBlindGrowth = 3;
+constexpr double kForgetting = 1.02;
 
 double now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
@@ -65,8 +70,10 @@ Status GpuPicture::start(const Scene& scene, const OrbitProgram& program, Size s
     if (!orbits) return orbits.status();
     const std::string before = std::move(orbits_.shaderText);
     orbits_ = std::move(*orbits);
-    if (before != orbits_.shaderText) rate_ = kFirstRate;
-    slowest_ = std::numeric_limits<double>::infinity();
+    if (before != orbits_.shaderText) {
+        rate_ = kFirstRate;
+        slowest_ = std::numeric_limits<double>::infinity();
+    }
     size_ = size;
     options_ = options;
     bound_ = false;
@@ -207,9 +214,14 @@ bool GpuPicture::awaitUnit(double seconds, double target) {
     }
     const double took = std::max(now() - issued_, 1e-5);
     const double measured = workIssued_ / took;
+    const bool blind = renderer_.limits().longestWait == 0;
     // Short draws measure the driver's latency, not the work.
-    if (took > 0.25 * target) slowest_ = std::min(slowest_, measured);
-    rate_ = std::min({measured, rate_ * kGrowth, slowest_ * kAboveSlowest});
+    const bool tells = took > (blind ? kFrame : 0.25 * target);
+    // A draw that another program held up is forgotten after a while.
+    slowest_ *= kForgetting;
+    if (tells) slowest_ = std::min(slowest_, measured);
+    const double grown = rate_ * (blind ? kBlindGrowth : kGrowth);
+    rate_ = std::min({tells ? measured : grown, grown, slowest_ * kAboveSlowest});
     return true;
 }
 

@@ -55,6 +55,8 @@ class GpuPicture {
     // sRGB, opaque, of the size that was asked for; 0 before the first orbits are there.
     GLuint texture();
     Size size() const { return size_; }
+    // The same, copied into a texture of the caller's; false before the first orbits are there.
+    bool copyInto(GLuint texture);
 
     // What was measured, one value a sample (the versor: as many as a state has numbers). For tests
     // and probes: it waits for the graphics processor.

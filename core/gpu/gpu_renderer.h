@@ -23,6 +23,8 @@ struct GpuLimits {
     bool parallelCompile = false;  // KHR_parallel_shader_compile
     GLuint64 longestWait = 0;      // ns that a fence may be waited for; 0 in a browser
     std::string device;
+    // The driver computes on the processor, slower than the project's own kernels do.
+    bool software = false;
 };
 
 class GpuRenderer {
@@ -40,7 +42,8 @@ class GpuRenderer {
     // Grows with every `forget`.
     int generation() const { return generation_; }
 
-    // The program of this fragment shader. `name` is 0 while it is being compiled.
+    // The program of this fragment shader. `name` is 0 while it is being compiled; where the driver
+    // compiles within the call, the first answer is that too, so that a frame can say so.
     struct Program {
         GLuint name = 0;
         Status status;
@@ -56,7 +59,7 @@ class GpuRenderer {
   private:
     struct Entry {
         GLuint vertex = 0, fragment = 0, name = 0;
-        bool linked = false;
+        bool begun = false, linked = false;
         Status status;
     };
     void begin(Entry& entry, const std::string& fragmentText);

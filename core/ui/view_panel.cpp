@@ -12,6 +12,7 @@ namespace {
 
 constexpr float kReach = 16;  // how near the pointer must come to a mark, at scale 1
 constexpr double kWheel = 0.8;
+constexpr double kFrameBudget = 0.012;  // seconds of a frame for the graphics processor's pictures
 constexpr int kProbeIterations = 20000;
 constexpr ImU32 kOrbit = IM_COL32(255, 214, 102, 255);
 
@@ -193,9 +194,16 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
     const ViewPlane plane{low, high, viewportOf(scene, size)};
     if (state.revision != context.revision || state.text.empty()) {
         state.revision = context.revision;
-        state.text = sceneToJson(scene).dump();
+        Json json = sceneToJson(scene);
+        state.text = json.dump();
+        json.erase("colour");
+        json.erase("iso");
+        state.orbits = json.dump();
     }
-    state.picture.want(context.host, view, state.text, plane.place, scene.samples);
+    state.picture.want(context.host, context.gpuUse(), view,
+                       {scene, state.text, state.orbits, context.program(view), plane.place});
+    const std::size_t shown = workspace.maximised ? 1 : workspace.views.size();
+    state.picture.work(context.host, kFrameBudget / static_cast<double>(shown));
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Theme& theme = themes()[context.theme];
