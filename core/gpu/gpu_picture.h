@@ -46,6 +46,9 @@ class GpuPicture {
     // kept below about 50 ms, and may outlast the budget by that.
     bool advance(double budgetSeconds);
 
+    // Works to the end, however long it takes: for where there are no frames to be drawn between.
+    Status finish();
+
     State state() const { return state_; }
     // Why it failed.
     const Status& status() const { return status_; }
@@ -78,7 +81,7 @@ class GpuPicture {
     void uploadPalette();
     void bindOrbitInputs(GLuint program);
     bool recover();
-    bool ready(GLuint& program);
+    bool ready(GLuint& program, bool wait = false);
     void drawUnit(GLuint program, double target);
     bool awaitUnit(double seconds, double target);
     Status colourInto(GLuint frame, Size size, int rule, FieldName shown, int samples);

@@ -141,7 +141,7 @@ void GpuRenderer::finish(Entry& entry) {
     entry.linked = true;
 }
 
-GpuRenderer::Program GpuRenderer::program(const std::string& fragmentText) {
+GpuRenderer::Program GpuRenderer::program(const std::string& fragmentText, bool wait) {
     auto found = programs_.find(fragmentText);
     if (found == programs_.end()) {
         // Far more than the maps there are; shapes of many forms could fill it otherwise.
@@ -156,13 +156,14 @@ GpuRenderer::Program GpuRenderer::program(const std::string& fragmentText) {
             programs_.clear();
         }
         found = programs_.emplace(fragmentText, Entry{}).first;
-        if (!limits_.parallelCompile) return {};
+        if (!limits_.parallelCompile && !wait) return {};
     }
     Entry& entry = found->second;
     if (!entry.begun) begin(entry, fragmentText);
     if (!entry.linked) {
         GLint complete = 1;
-        if (limits_.parallelCompile) glGetProgramiv(entry.name, kCompletionStatus, &complete);
+        if (limits_.parallelCompile && !wait)
+            glGetProgramiv(entry.name, kCompletionStatus, &complete);
         if (!complete) return {};
         finish(entry);
     }

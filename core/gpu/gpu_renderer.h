@@ -43,13 +43,14 @@ class GpuRenderer {
     int generation() const { return generation_; }
 
     // The program of this fragment shader. `name` is 0 while it is being compiled; where the driver
-    // compiles within the call, the first answer is that too, so that a frame can say so.
+    // compiles within the call, the first answer is that too, so that a frame can say so. `wait`
+    // stays until it is there.
     struct Program {
         GLuint name = 0;
         Status status;
         bool compiling() const { return name == 0 && status.ok(); }
     };
-    Program program(const std::string& fragmentText);
+    Program program(const std::string& fragmentText, bool wait = false);
 
     // Fills the viewport with the current program.
     void drawQuad();

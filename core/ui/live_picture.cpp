@@ -54,6 +54,7 @@ void LivePicture::want(Host& host, const GpuUse& gpu, int view, const LiveScene&
         wantedFrom_ = gpu.renderer;
         place_ = scene.place;
         finest_ = scene.scene.samples;
+        if (asked_ != 0) host.dropPicture(view);
         asked_ = 0;
         message_.clear();
         if (onlyColours && recolour(gpu, scene)) return;
@@ -141,6 +142,7 @@ void LivePicture::take(PictureAnswer answer) {
     arrived();
     pixels_ = std::move(answer.rgba);
     pixelSize_ = answer.size;
+    ++pictures_;
     shown_ = place_;
     upload_ = true;
 }
@@ -176,6 +178,7 @@ bool LivePicture::show() {
     texture_ = name;
     if (!gpu_->copyInto(texture_)) return false;
     shown_ = place_;
+    ++pictures_;
     pixels_.clear();
     upload_ = false;
     return true;

@@ -54,6 +54,9 @@ class LivePicture {
     // Why the graphics processor does not draw this; empty where it does.
     const std::string& whyProcessor() const { return why_; }
 
+    // How many pictures were shown so far, coarse ones too.
+    int pictures() const { return pictures_; }
+
     void contextLost();
 
   private:
@@ -78,6 +81,7 @@ class LivePicture {
     int askedDivisor_ = 1;
     Pace hostPace_, gpuPace_;
     std::string message_;
+    int pictures_ = 0;
 
     std::uint64_t asked_ = 0;            // of the host
     std::vector<unsigned char> pixels_;  // its last answer, for a context that comes back

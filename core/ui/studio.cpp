@@ -310,6 +310,12 @@ bool Studio::finished() const {
     return !state_->context.animation.running;
 }
 
+int Studio::pictures() const {
+    int count = 0;
+    for (const ViewState& view : state_->context.views) count += view.picture.pictures();
+    return count;
+}
+
 void Studio::tell(const Status& status) { state_->context.report(status); }
 void Studio::stopAnimation() { state_->context.animation.running = false; }
 

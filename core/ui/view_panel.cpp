@@ -12,7 +12,8 @@ namespace {
 
 constexpr float kReach = 16;  // how near the pointer must come to a mark, at scale 1
 constexpr double kWheel = 0.8;
-constexpr double kFrameBudget = 0.012;  // seconds of a frame for the graphics processor's pictures
+// Seconds of a frame for the graphics processor's pictures: half of it where frames are slow.
+constexpr double kLeastBudget = 0.012, kMostBudget = 0.05;
 constexpr int kProbeIterations = 20000;
 constexpr ImU32 kOrbit = IM_COL32(255, 214, 102, 255);
 
@@ -203,7 +204,9 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
     state.picture.want(context.host, context.gpuUse(), view,
                        {scene, state.text, state.orbits, context.program(view), plane.place});
     const std::size_t shown = workspace.maximised ? 1 : workspace.views.size();
-    state.picture.work(context.host, kFrameBudget / static_cast<double>(shown));
+    const double budget =
+        std::clamp(0.5 * static_cast<double>(ImGui::GetIO().DeltaTime), kLeastBudget, kMostBudget);
+    state.picture.work(context.host, budget / static_cast<double>(shown));
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Theme& theme = themes()[context.theme];
