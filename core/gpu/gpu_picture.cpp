@@ -20,11 +20,10 @@ constexpr int kLeastSteps = 16;      // per draw: reading and writing a pixel co
 constexpr double kFirstRate = 5e6;   // cautious: a slow processor's, for an expensive map
 constexpr double kGrowth = 2;        // of the rate from draw to draw
 constexpr double kAboveSlowest = 3;  // rows of escaped orbits are fast, the next may not be
-// Where fences are only looked at between frames, a draw that ended within a frame's time may have
-// taken any part of it.
-constexpr double kFrame = 0.025;
-constexpr double kBlindGrowth = 3;
 constexpr double kForgetting = 1.02;
+// Between one frame and the next, in seconds: faster leaves room for more, slower asks for less.
+constexpr double kFrame = 0.07, kLongestFrame = 0.1;
+constexpr double kShrinking = 0.6;
 
 double now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
@@ -183,6 +182,7 @@ void GpuPicture::drawUnit(GLuint program, double target) {
     state.scissor(0, row_, size.width, rows);
     issued_ = now();
     workIssued_ = 1.0 * rows * size.width * steps_;
+    looks_ = 0;
     renderer_.drawQuad();
     ++renderer_.iterationDraws;
     fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
@@ -201,6 +201,7 @@ void GpuPicture::drawUnit(GLuint program, double target) {
 // Whether the draw that is under way has ended within this time.
 bool GpuPicture::awaitUnit(double seconds, double target) {
     if (!fence_) return true;
+    ++looks_;
     const auto wanted = static_cast<GLuint64>(std::clamp(seconds, 0.0, 1.0) * 1e9);
     const GLenum result = glClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT,
                                            std::min(wanted, renderer_.limits().longestWait));
@@ -214,16 +215,21 @@ bool GpuPicture::awaitUnit(double seconds, double target) {
     }
     const double took = std::max(now() - issued_, 1e-5);
     const double measured = workIssued_ / took;
-    const bool blind = renderer_.limits().longestWait == 0;
-    // Short draws measure the driver's latency, not the work.
-    // A fence that was passed before anybody looked only says that the draw took no longer.
-    const bool seen = blind || result != GL_ALREADY_SIGNALED;
-    if (!seen && took > target) return true;
-    const bool tells = seen && took > (blind ? kFrame : 0.25 * target);
     // A draw that another program held up is forgotten after a while.
     slowest_ *= kForgetting;
+    // A fence that was passed before anybody looked only says that the draw took no longer than
+    // what lay between: in a browser that is a whole frame.
+    if (result == GL_ALREADY_SIGNALED && looks_ == 1) {
+        if (took < kFrame)
+            rate_ = std::min(rate_ * kGrowth, slowest_ * kAboveSlowest);
+        else if (took > kLongestFrame)
+            rate_ *= kShrinking;
+        return true;
+    }
+    // Short draws measure the driver's latency, not the work.
+    const bool tells = took > 0.25 * target;
     if (tells) slowest_ = std::min(slowest_, measured);
-    const double grown = rate_ * (blind ? kBlindGrowth : kGrowth);
+    const double grown = rate_ * kGrowth;
     rate_ = std::min({tells ? measured : grown, grown, slowest_ * kAboveSlowest});
     return true;
 }

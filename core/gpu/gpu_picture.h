@@ -110,6 +110,7 @@ class GpuPicture {
     bool first_ = true, anyOrbits_ = false;
     GLsync fence_ = nullptr;
     double issued_ = 0, workIssued_ = 0;
+    int looks_ = 0;       // at the fence of that draw
     double rate_ = 0;     // pixels times iterations a second that the next draw counts on
     double slowest_ = 0;  // the least that this picture has shown
 };
