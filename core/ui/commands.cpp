@@ -69,16 +69,16 @@ std::vector<Command> commandsOf(StudioContext& context) {
         {"One view", "", [c] { setViewCount(c->workspace, 1), c->touch(); }},
         {"Two views", "", [c] { setViewCount(c->workspace, 2), c->touch(); }},
         {"Four views", "", [c] { setViewCount(c->workspace, 4), c->touch(); }},
-        {"One step more of the orbit", ".",
+        {"One step on along the orbit", ".", [c] { c->stepOrbit(1); }},
+        {"One step back along the orbit", ",", [c] { c->stepOrbit(-1); }},
+        {"Arrows from points x to f(x), or none", "A",
          [c] {
-             c->workspace.orbitSteps = std::min(1000, c->workspace.orbitSteps + 1);
+             c->workspace.arrows = !c->workspace.arrows;
              c->touch();
          }},
-        {"One step less of the orbit", ",",
-         [c] {
-             c->workspace.orbitSteps = std::max(0, c->workspace.orbitSteps - 1);
-             c->touch();
-         }},
+        {"The orbit as a time series", "", [c] { c->strip = StudioContext::Strip::series; }},
+        {"The orbit as a web, where the map has a real line", "",
+         [c] { c->strip = StudioContext::Strip::web; }},
         {"Play or pause the animation", "Space",
          [c] {
              if (c->animation.number.empty())
@@ -129,6 +129,7 @@ void handleKeys(StudioContext& context) {
     if (context.searchOpen || context.exportOpen) return;
     if (pressed(ImGuiKey_Home)) run("Home");
     if (pressed(ImGuiKey_Backspace)) run(io.KeyShift ? "Shift Backspace" : "Backspace");
+    if (pressed(ImGuiKey_A)) run("A");
     if (pressed(ImGuiKey_F)) run("F");
     if (pressed(ImGuiKey_P)) run("P");
     if (pressed(ImGuiKey_T)) run("T");

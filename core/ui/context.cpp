@@ -155,6 +155,12 @@ void StudioContext::pan(int view, double widths, double heights) {
     touch();
 }
 
+void StudioContext::stepOrbit(int steps) {
+    workspace.orbitAt = std::clamp(workspace.orbitAt + steps, 0, kMostOrbitSteps);
+    workspace.orbitSteps = std::max(workspace.orbitSteps, workspace.orbitAt);
+    touch();
+}
+
 void StudioContext::copyLink() {
     Expected<std::string> link = workspaceToLink(workspace);
     if (!link) return report(link.status());
@@ -208,6 +214,18 @@ const OrbitProgram* StudioContext::program(int view) {
 
 const OrbitProgram* StudioContext::orbitProgram() {
     return bind(bound_[kMostViews], orbitScene(workspace));
+}
+
+const std::vector<std::vector<double>>& StudioContext::orbit() {
+    if (orbitRevision_ == revision) return orbit_;
+    orbitRevision_ = revision;
+    orbit_.clear();
+    if (const OrbitProgram* bound = orbitProgram()) {
+        const Scene scene = orbitScene(workspace);
+        const double start[3] = {scene.slice.centre[0], scene.slice.centre[1], 0};
+        orbit_ = orbitOf(*bound, start, workspace.orbitSteps);
+    }
+    return orbit_;
 }
 
 }  // namespace versorium

@@ -39,7 +39,9 @@ struct ViewState {
 struct Probe {
     int view = -1;
     double u = 0, v = 0;
-    std::string text;
+    std::uint64_t revision = 0;  // of the workspace that it was measured in
+    std::string text;            // for the status line
+    std::vector<std::pair<std::string, std::string>> rows;  // names and values
 };
 
 struct StudioContext {
@@ -61,6 +63,8 @@ struct StudioContext {
     std::string notice;  // the last thing that was done or went wrong
     double noticeAt = -100;
     Probe probe;
+    enum class Strip { series, web } strip = Strip::series;
+    int orbitShown = 0;  // the step that the table has been scrolled to
     // An animated number: it runs between its ends until it is stopped.
     struct Animation {
         std::string number;
@@ -81,6 +85,7 @@ struct StudioContext {
     void home(int view);
     void zoom(int view, double factor, double u, double v);  // the point (u, v) stays where it is
     void pan(int view, double widths, double heights);
+    void stepOrbit(int steps);  // the orbit grows where it ends
     void copyLink();
     void saveScene();
     void startExport();
@@ -88,6 +93,8 @@ struct StudioContext {
     // Where starting points are measured; null while a shape needs a grid that takes time to make.
     const OrbitProgram* program(int view);
     const OrbitProgram* orbitProgram();
+    // z_0 … z_orbitSteps of the workspace's point; empty where there is no program.
+    const std::vector<std::vector<double>>& orbit();
 
   private:
     struct Bound {
@@ -97,6 +104,8 @@ struct StudioContext {
     const OrbitProgram* bind(Bound& bound, const Scene& scene);
     Binder binder_;
     std::array<Bound, kMostViews + 1> bound_;
+    std::uint64_t orbitRevision_ = 0;
+    std::vector<std::vector<double>> orbit_;
 };
 
 // A command with its name, keys and what it does: the list behind Ctrl+K and `?`.
@@ -108,6 +117,7 @@ std::vector<Command> commandsOf(StudioContext& context);
 
 // Panels. Rectangles are in ImGui's coordinates.
 void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high);
+void drawProbe(StudioContext& context);
 void drawInspector(StudioContext& context);
 void drawOrbitStrip(StudioContext& context);
 void drawDialogs(StudioContext& context);

@@ -287,6 +287,9 @@ void drawInspector(StudioContext& context) {
     heading("Parameters");
     parameters(context);
 
+    heading("Under the pointer");
+    drawProbe(context);
+
     heading("Orbits");
     Scene& scene = workspace.view();
     ImGui::SetNextItemWidth(-ImGui::GetFontSize() * 6.5f);

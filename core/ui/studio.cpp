@@ -13,7 +13,7 @@ namespace {
 constexpr double kQuiet = 0.4;    // seconds without a change before it is recorded
 constexpr double kNoticeFor = 6;  // seconds that a notice stays
 constexpr float kNarrow = 900;    // below this width views become tabs
-constexpr float kInspector = 330, kStrip = 150;
+constexpr float kInspector = 330, kStrip = 150, kWebStrip = 300;
 
 }  // namespace
 
@@ -127,7 +127,9 @@ void Studio::State::drawStatus() {
 void Studio::State::drawWide(ImVec2 low, ImVec2 size) {
     const float bar = ImGui::GetFrameHeightWithSpacing();
     const float inspector = kInspector * context.scale;
-    const float strip = std::min(kStrip * context.scale, size.y * 0.25f);
+    const bool web = context.strip == StudioContext::Strip::web;
+    const float strip =
+        std::min((web ? kWebStrip : kStrip) * context.scale, size.y * (web ? 0.45f : 0.25f));
     const float left = size.x - inspector - 8;
     drawViews(low, {low.x + left, low.y + size.y - bar - strip - 6});
     ImGui::SetCursorScreenPos({low.x, low.y + size.y - bar - strip});

@@ -16,6 +16,7 @@ namespace versorium {
 
 inline constexpr int kMostViews = 4;
 inline constexpr int kMostPins = 4;
+inline constexpr int kMostOrbitSteps = 1000;
 
 // A setting of all parameters that was set aside.
 using Pin = std::map<std::string, std::vector<double>>;
@@ -26,6 +27,8 @@ struct Workspace {
     bool maximised = false;     // only the focused view is shown
     std::vector<double> point;  // z_0 of the orbit that is drawn: one number for each of a state
     int orbitSteps = 24;
+    int orbitAt = 0;      // the step that is marked, at most orbitSteps
+    bool arrows = false;  // from points x to f(x), on views of starting points
     std::vector<Pin> pins;
 
     Scene& view() { return views[static_cast<std::size_t>(focused)]; }

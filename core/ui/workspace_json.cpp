@@ -65,6 +65,8 @@ Json workspaceToJson(const Workspace& workspace) {
     if (workspace.maximised) json["maximised"] = true;
     json["point"] = workspace.point;
     json["orbit_steps"] = workspace.orbitSteps;
+    if (workspace.orbitAt > 0) json["orbit_at"] = workspace.orbitAt;
+    if (workspace.arrows) json["arrows"] = true;
     if (!workspace.pins.empty()) {
         json["pins"] = Json::array();
         for (const Pin& pin : workspace.pins) {
@@ -95,7 +97,11 @@ Expected<Workspace> workspaceFromJson(const Json& json) {
     reader.integer("focused", workspace.focused, 0, static_cast<int>(views->size()) - 1)
         .boolean("maximised", workspace.maximised)
         .numbers("point", workspace.point, dimension, dimension)
-        .integer("orbit_steps", workspace.orbitSteps, 0, 1000);
+        .integer("orbit_steps", workspace.orbitSteps, 0, kMostOrbitSteps)
+        .integer("orbit_at", workspace.orbitAt, 0, kMostOrbitSteps)
+        .boolean("arrows", workspace.arrows);
+    if (workspace.orbitAt > workspace.orbitSteps)
+        reader.fail("orbit_at", "must be at most orbit_steps");
     if (const Json* pins = reader.child("pins")) {
         if (!pins->is_array() || pins->size() > kMostPins) {
             reader.fail("pins", "must be a list of at most 4 settings");
