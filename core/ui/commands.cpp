@@ -31,6 +31,7 @@ bool matches(const std::string& name, const std::string& question) {
 void nextPaletteOf(StudioContext& context) {
     const std::vector<std::string> names = paletteNames();
     std::string& now = context.workspace.view().colour.palette;
+    context.workspace.view().colour.ownPalette = nullptr;
     const auto found = std::find(names.begin(), names.end(), now);
     now = found == names.end() || found + 1 == names.end() ? names.front() : *(found + 1);
     context.touch();
@@ -82,7 +83,7 @@ std::vector<Command> commandsOf(StudioContext& context) {
         {"Play or pause the animation", "Space",
          [c] {
              if (c->animation.number.empty())
-                 c->say("Choose a number first: the triangle beside a parameter");
+                 c->say("Choose a number first: the triangle beside it");
              else
                  c->animation.running = !c->animation.running;
              c->host.wake();

@@ -10,8 +10,6 @@
 namespace versorium {
 namespace {
 
-constexpr double kLeastHeight = 1e-13, kMostHeight = 1e6;
-
 Workspace firstWorkspace() {
     Expected<Scene> scene = presetNamed("mandelbrot");
     Workspace workspace = workspaceOf(scene ? *scene : sceneOf(catalogue()[0]));
@@ -192,6 +190,12 @@ void StudioContext::startExport() {
     scene.aspect = wide / tall;
     if (Status status = checkSize(scene, size); !status.ok()) return report(status);
     host.startExport({documentText(scene, size), scene.map + ".png"});
+}
+
+double StudioContext::aspect(int view) const {
+    const ViewState& state = views[static_cast<std::size_t>(view)];
+    const double tall = std::max(1.0f, state.high.y - state.low.y);
+    return std::max(1.0f, state.high.x - state.low.x) / tall;
 }
 
 const OrbitProgram* StudioContext::bind(Bound& bound, const Scene& scene) {

@@ -64,7 +64,8 @@ struct StudioContext {
     double noticeAt = -100;
     Probe probe;
     enum class Strip { series, web } strip = Strip::series;
-    int orbitShown = 0;  // the step that the table has been scrolled to
+    int paletteStop = -1;  // the chosen stop of an own palette
+    int orbitShown = 0;    // the step that the table has been scrolled to
     // An animated number: it runs between its ends until it is stopped.
     struct Animation {
         std::string number;
@@ -90,6 +91,8 @@ struct StudioContext {
     void saveScene();
     void startExport();
 
+    // Width over height of a view in the window.
+    double aspect(int view) const;
     // Where starting points are measured; null while a shape needs a grid that takes time to make.
     const OrbitProgram* program(int view);
     const OrbitProgram* orbitProgram();
@@ -118,6 +121,7 @@ std::vector<Command> commandsOf(StudioContext& context);
 // Panels. Rectangles are in ImGui's coordinates.
 void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high);
 void drawProbe(StudioContext& context);
+void drawPaletteEditor(StudioContext& context);
 void drawInspector(StudioContext& context);
 void drawOrbitStrip(StudioContext& context);
 void drawDialogs(StudioContext& context);

@@ -19,6 +19,8 @@ constexpr Help kHelp[] = {
     {"gallery", "Presets and the scenes of last time, as pictures."},
     {"open", "Opens a scene, a picture that carries one, a mesh, an image or a palette."},
     {"pad", "Drag the point: right is the real part, up is i."},
+    {"parameter", "A number that the map depends on."},
+    {"borders", "Left, right, bottom and top of the view, to be typed."},
     {"reset", "Back to the map's own value."},
     {"animate", "Lets this number run to and fro through its range. The space bar pauses."},
     {"number menu", "The range of this number, its exact value, and its animation."},

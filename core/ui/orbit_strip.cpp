@@ -18,9 +18,7 @@ ImU32 componentColour(int k) {
     return k == 0 ? ImGui::GetColorU32(ImGuiCol_CheckMark) : pinColour(k - 1);
 }
 
-std::string tableText(const StudioContext& context, const MapInfo& info,
-                      const std::vector<std::vector<double>>& orbit) {
-    (void)context;
+std::string tableText(const MapInfo& info, const std::vector<std::vector<double>>& orbit) {
     std::string table = "n";
     for (int k = 0; k < dimensionOf(info.algebra); ++k) table += "\t" + stateComponent(info, k);
     for (std::size_t n = 0; n < orbit.size(); ++n) {
@@ -54,7 +52,6 @@ void drawHead(StudioContext& context, const MapInfo& info, bool hasWeb) {
     ImGui::PopButtonRepeat();
     if (step("→|", "orbit last")) context.stepOrbit(workspace.orbitSteps - workspace.orbitAt);
     ImGui::SameLine(0, 8);
-    ImGui::AlignTextToFramePadding();
     ImGui::Text("n = %d of", workspace.orbitAt);
     ImGui::SameLine(0, 6);
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 3.6f);
@@ -82,7 +79,7 @@ void drawHead(StudioContext& context, const MapInfo& info, bool hasWeb) {
     }
     const auto& orbit = context.orbit();
     if (ImGui::SmallButton("Copy table")) {
-        context.host.setClipboard(tableText(context, info, orbit));
+        context.host.setClipboard(tableText(info, orbit));
         context.say("The orbit's table is on the clipboard");
     }
     explain("copy table");
@@ -102,7 +99,12 @@ void drawTable(StudioContext& context, const MapInfo& info, float width) {
     ImGui::TableSetupColumn("n", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize() * 2.2f);
     for (int k = 0; k < dimension; ++k) ImGui::TableSetupColumn(stateComponent(info, k).c_str());
     ImGui::TableSetupColumn(dimension == 1 ? "|x|" : "norm");
-    ImGui::TableHeadersRow();
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    for (int k = 0; k < dimension + 2; ++k) {
+        ImGui::TableSetColumnIndex(k);
+        ImGui::TableHeader(ImGui::TableGetColumnName(k));
+        explain("orbit row");
+    }
     ImGuiListClipper rows;
     rows.Begin(static_cast<int>(orbit.size()));
     if (context.orbitShown != context.workspace.orbitAt)
@@ -124,7 +126,7 @@ void drawTable(StudioContext& context, const MapInfo& info, float width) {
             }
             for (double value : row) {
                 ImGui::TableNextColumn();
-                ImGui::TextUnformatted(formatNumber(value, 6).c_str());
+                ImGui::TextUnformatted(formatNumber(value, 5).c_str());
             }
             ImGui::TableNextColumn();
             ImGui::TextUnformatted(formatNumber(normOf(row), 5).c_str());

@@ -34,7 +34,11 @@ void probe(StudioContext& context, int view, const ViewPlane& plane, ImVec2 mous
     const double u = plane.u(mouse.x), v = plane.v(mouse.y);
     if (found.view == view && found.u == u && found.v == v && found.revision == context.revision)
         return;
-    found = {.view = view, .u = u, .v = v, .revision = context.revision};
+    found = {};
+    found.view = view;
+    found.u = u;
+    found.v = v;
+    found.revision = context.revision;
     for (std::size_t k = 0; k < 2 && k < scene.slice.axes.size(); ++k) {
         const std::string name = scene.slice.axes[k].terms[0].first;
         const std::string value = coordinate(k ? v : u, plane.place);

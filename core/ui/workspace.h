@@ -17,6 +17,9 @@ namespace versorium {
 inline constexpr int kMostViews = 4;
 inline constexpr int kMostPins = 4;
 inline constexpr int kMostOrbitSteps = 1000;
+inline constexpr std::size_t kMostRanges = 256;
+// What a view shows from bottom to top: as deep as double precision goes, and as far.
+inline constexpr double kLeastHeight = 1e-13, kMostHeight = 1e6;
 
 // A setting of all parameters that was set aside.
 using Pin = std::map<std::string, std::vector<double>>;
@@ -30,6 +33,8 @@ struct Workspace {
     int orbitAt = 0;      // the step that is marked, at most orbitSteps
     bool arrows = false;  // from points x to f(x), on views of starting points
     std::vector<Pin> pins;
+    // The ranges of sliders that are not the program's own, by the number's name: low < high.
+    std::map<std::string, std::array<double, 2>> ranges;
 
     Scene& view() { return views[static_cast<std::size_t>(focused)]; }
     const Scene& view() const { return views[static_cast<std::size_t>(focused)]; }
@@ -60,6 +65,12 @@ void moveMarker(Workspace& workspace, std::size_t view, double u, double v);
 
 // A scene whose points are the starting points around `workspace.point`; for orbits and probes.
 Scene orbitScene(const Workspace& workspace);
+
+// The borders of a view that is `aspect` times as wide as high: left, right, bottom, top.
+std::array<double, 4> bordersOf(const Scene& scene, double aspect);
+// Moves one of them; the opposite one stays, and the others follow from the aspect. False where
+// that would turn the view round, or make it no view.
+bool setBorder(Scene& scene, int border, double value, double aspect);
 
 Json workspaceToJson(const Workspace& workspace);
 // Strict, like sceneFromJson: ErrorKind::data with the path of the fault.

@@ -75,6 +75,7 @@ Json workspaceToJson(const Workspace& workspace) {
             json["pins"].push_back(values);
         }
     }
+    for (const auto& [name, range] : workspace.ranges) json["ranges"][name] = {range[0], range[1]};
     return json;
 }
 
@@ -120,6 +121,22 @@ Expected<Workspace> workspaceFromJson(const Json& json) {
                 if (Status status = values.finish(); !status.ok()) return status;
                 workspace.pins.push_back(pin);
             }
+        }
+    }
+    if (const Json* ranges = reader.child("ranges")) {
+        if (!ranges->is_object() || ranges->size() > kMostRanges) {
+            reader.fail("ranges", "must be an object of at most 256 ranges");
+        } else {
+            ObjectReader values(*ranges, "ranges");
+            for (const auto& [name, unused] : ranges->items()) {
+                std::vector<double> range;
+                values.numbers(name.c_str(), range, 2, 2);
+                if (range.size() != 2 || !(range[0] < range[1]))
+                    values.fail(name.c_str(), "must be two numbers, the lower one first");
+                else
+                    workspace.ranges[name] = {range[0], range[1]};
+            }
+            if (Status status = values.finish(); !status.ok()) return status;
         }
     }
     if (Status status = reader.finish(); !status.ok()) return status;
