@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fields/lanes_of_orbits.h"
+#include "math/elementary.h"
 
 namespace versorium {
 namespace {
@@ -23,7 +24,7 @@ double spectralRadius(Matrix power) {
             for (double value : row) norm = std::max(norm, std::abs(value));
         if (norm == 0) return 0;
         if (!std::isfinite(norm)) return norm;
-        logarithm += weight * std::log(norm);
+        logarithm += weight * log(norm);
         weight /= 2;
         for (auto& row : power)
             for (double& value : row) value /= norm;
@@ -33,7 +34,7 @@ double spectralRadius(Matrix power) {
                 for (std::size_t j = 0; j < size; ++j) square[i][j] += power[i][k] * power[k][j];
         power = std::move(square);
     }
-    return std::exp(logarithm);
+    return exp(logarithm);
 }
 
 }  // namespace
@@ -70,7 +71,7 @@ std::optional<Cycle> cycleOf(const OrbitProgram& program, const double* coordina
     } else if (program.map->info.algebra == Algebra::complex) {
         const double a = jacobian[0][0], b = jacobian[1][0];
         // Rounding of a product of `period` factors, with room.
-        const double tolerance = 1e-9 * (1e-3 + std::hypot(a, b));
+        const double tolerance = 1e-9 * (1e-3 + std::sqrt(a * a + b * b));
         if (std::abs(jacobian[1][1] - a) <= tolerance && std::abs(jacobian[0][1] + b) <= tolerance)
             cycle.multiplier = std::complex<double>(a, b);
     }

@@ -6,6 +6,7 @@
 #include "imgui.h"
 #include "render/renderer.h"
 #include "ui/context.h"
+#include "ui/keys.h"
 
 namespace versorium {
 namespace {
@@ -37,6 +38,23 @@ void nextPaletteOf(StudioContext& context) {
     context.touch();
 }
 
+// Arrows pan; with Shift they nudge the point by a pixel's worth.
+void nudge(StudioContext& context) {
+    const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(key, true) ? 1 : 0; };
+    const int right = pressed(ImGuiKey_RightArrow) - pressed(ImGuiKey_LeftArrow);
+    const int up = pressed(ImGuiKey_UpArrow) - pressed(ImGuiKey_DownArrow);
+    if (right == 0 && up == 0) return;
+    const bool shift = ImGui::GetIO().KeyShift;
+    if (!shift) return context.pan(context.workspace.focused, 0.1 * right, 0.1 * up);
+    const auto view = static_cast<std::size_t>(context.workspace.focused);
+    const ViewState& state = context.views[view];
+    const double pixel =
+        context.workspace.view().slice.height / std::max(1.0f, state.high.y - state.low.y);
+    const auto marker = markerOf(context.workspace, view);
+    moveMarker(context.workspace, view, marker[0] + right * pixel, marker[1] + up * pixel);
+    context.touch();
+}
+
 }  // namespace
 
 std::vector<Command> commandsOf(StudioContext& context) {
@@ -46,6 +64,7 @@ std::vector<Command> commandsOf(StudioContext& context) {
         {"Undo", "Ctrl Z", [c] { c->undo(); }},
         {"Redo", "Shift Ctrl Z", [c] { c->redo(); }},
         {"Find a map, a preset or a command", "Ctrl K", [c] { c->searchOpen = true; }},
+        {"Presets and recent scenes as pictures", "Ctrl G", [c] { c->galleryOpen = true; }},
         {"Export the marked view as a PNG", "Ctrl E", [c] { c->exportOpen = true; }},
         {"Copy a link to what is shown", "Ctrl L", [c] { c->copyLink(); }},
         {"Save the scene as a file", "Ctrl S", [c] { c->saveScene(); }},
@@ -108,52 +127,45 @@ std::vector<Command> commandsOf(StudioContext& context) {
 }
 
 void handleKeys(StudioContext& context) {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantTextInput) return;
-    const bool command = io.KeyCtrl || io.KeySuper;
+    if (ImGui::GetIO().WantTextInput) return;
     const auto run = [&](const char* keys) {
         for (const Command& entry : commandsOf(context))
             if (entry.keys == keys) return entry.run();
     };
-    const auto pressed = [](ImGuiKey key, bool repeat = false) {
-        return ImGui::IsKeyPressed(key, repeat);
+    // With the command key, Ctrl or on Apple's machines ⌘, or without it.
+    const auto pressed = [](ImGuiKey key, bool command, bool repeat = false) {
+        return ImGui::IsKeyPressed(key, repeat) &&
+               ((modifiersOf(key) & (ImGuiMod_Ctrl | ImGuiMod_Super)) != 0) == command;
     };
-    if (command) {
-        if (pressed(ImGuiKey_Z, true)) run(io.KeyShift ? "Shift Ctrl Z" : "Ctrl Z");
-        if (pressed(ImGuiKey_Y, true)) run("Shift Ctrl Z");
-        if (pressed(ImGuiKey_K)) run("Ctrl K");
-        if (pressed(ImGuiKey_E)) run("Ctrl E");
-        if (pressed(ImGuiKey_L)) run("Ctrl L");
-        if (pressed(ImGuiKey_S)) run("Ctrl S");
-        return;
-    }
-    if (context.searchOpen || context.exportOpen) return;
-    if (pressed(ImGuiKey_Home)) run("Home");
-    if (pressed(ImGuiKey_Backspace)) run(io.KeyShift ? "Shift Backspace" : "Backspace");
-    if (pressed(ImGuiKey_A)) run("A");
-    if (pressed(ImGuiKey_F)) run("F");
-    if (pressed(ImGuiKey_P)) run("P");
-    if (pressed(ImGuiKey_T)) run("T");
-    if (pressed(ImGuiKey_Space)) run("Space");
-    if (pressed(ImGuiKey_Period, true)) run(".");
-    if (pressed(ImGuiKey_Comma, true)) run(",");
-    if (pressed(ImGuiKey_Equal, true) || pressed(ImGuiKey_KeypadAdd, true)) run("+");
-    if (pressed(ImGuiKey_Minus, true) || pressed(ImGuiKey_KeypadSubtract, true)) run("-");
-    if (pressed(ImGuiKey_Slash) && io.KeyShift) run("?");
+    const auto shifted = [](ImGuiKey key) { return (modifiersOf(key) & ImGuiMod_Shift) != 0; };
+    if (pressed(ImGuiKey_Z, true, true)) run(shifted(ImGuiKey_Z) ? "Shift Ctrl Z" : "Ctrl Z");
+    if (pressed(ImGuiKey_Y, true, true)) run("Shift Ctrl Z");
+    constexpr std::pair<ImGuiKey, const char*> commands[] = {{ImGuiKey_K, "Ctrl K"},
+                                                             {ImGuiKey_G, "Ctrl G"},
+                                                             {ImGuiKey_E, "Ctrl E"},
+                                                             {ImGuiKey_L, "Ctrl L"},
+                                                             {ImGuiKey_S, "Ctrl S"}};
+    for (const auto& [key, name] : commands)
+        if (pressed(key, true)) run(name);
+    if (context.dialogOpen()) return;
+    if (pressed(ImGuiKey_Home, false)) run("Home");
+    if (pressed(ImGuiKey_Backspace, false))
+        run(shifted(ImGuiKey_Backspace) ? "Shift Backspace" : "Backspace");
+    if (pressed(ImGuiKey_A, false)) run("A");
+    if (pressed(ImGuiKey_F, false)) run("F");
+    if (pressed(ImGuiKey_P, false)) run("P");
+    if (pressed(ImGuiKey_T, false)) run("T");
+    if (pressed(ImGuiKey_Space, false)) run("Space");
+    if (pressed(ImGuiKey_Period, false, true)) run(".");
+    if (pressed(ImGuiKey_Comma, false, true)) run(",");
+    if (pressed(ImGuiKey_Equal, false, true) || pressed(ImGuiKey_KeypadAdd, false, true)) run("+");
+    if (pressed(ImGuiKey_Minus, false, true) || pressed(ImGuiKey_KeypadSubtract, false, true))
+        run("-");
+    if (pressed(ImGuiKey_Slash, false) && shifted(ImGuiKey_Slash)) run("?");
     for (int k = 0; k < kMostViews; ++k)
-        if (pressed(static_cast<ImGuiKey>(ImGuiKey_1 + k))) run(std::to_string(k + 1).c_str());
-    // Arrows pan; with Shift they nudge the point by a pixel's worth.
-    const int right = pressed(ImGuiKey_RightArrow, true) - pressed(ImGuiKey_LeftArrow, true);
-    const int up = pressed(ImGuiKey_UpArrow, true) - pressed(ImGuiKey_DownArrow, true);
-    if (right == 0 && up == 0) return;
-    if (!io.KeyShift) return context.pan(context.workspace.focused, 0.1 * right, 0.1 * up);
-    const auto view = static_cast<std::size_t>(context.workspace.focused);
-    const ViewState& state = context.views[view];
-    const double pixel =
-        context.workspace.view().slice.height / std::max(1.0f, state.high.y - state.low.y);
-    const auto marker = markerOf(context.workspace, view);
-    moveMarker(context.workspace, view, marker[0] + right * pixel, marker[1] + up * pixel);
-    context.touch();
+        if (pressed(static_cast<ImGuiKey>(ImGuiKey_1 + k), false))
+            run(std::to_string(k + 1).c_str());
+    nudge(context);
 }
 
 namespace {
@@ -182,6 +194,12 @@ void drawSearch(StudioContext& context) {
                                if (!scene) return context.report(scene.status());
                                context.open(workspaceOf(*scene));
                            }});
+    for (const Gallery::Entry& entry : context.gallery.recent())
+        entries.push_back({"Recent: " + entry.title, "", [&context, link = entry.link] {
+                               Expected<Workspace> workspace = workspaceFromLink(link);
+                               if (!workspace) return context.report(workspace.status());
+                               context.open(std::move(*workspace));
+                           }});
     for (const MapKernels& map : catalogue()) {
         const std::string name(map.info.name);
         entries.push_back({"Map: " + std::string(map.info.title) + "  (" + name + ")", "",
@@ -193,7 +211,9 @@ void drawSearch(StudioContext& context) {
     ImGui::BeginChild("entries");
     for (const Command& entry : entries) {
         if (!matches(entry.name, question)) continue;
+        ImGui::PushID(&entry);
         const bool picked = ImGui::Selectable(entry.name.c_str(), first && question[0] != 0);
+        ImGui::PopID();
         if (!entry.keys.empty()) {
             ImGui::SameLine(ImGui::GetContentRegionAvail().x - ImGui::GetFontSize() * 6);
             ImGui::TextDisabled("%s", entry.keys.c_str());
@@ -272,6 +292,7 @@ void drawExport(StudioContext& context) {
 
 void drawDialogs(StudioContext& context) {
     drawSearch(context);
+    drawGallery(context);
     drawKeys(context);
     drawExport(context);
 }

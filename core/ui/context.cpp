@@ -39,13 +39,21 @@ std::string documentText(const Scene& scene, Size size) {
 }  // namespace
 
 StudioContext::StudioContext(Host& shell)
-    : host(shell), workspace(firstWorkspace()), history(workspace) {}
+    : host(shell), workspace(firstWorkspace()), history(workspace) {
+    gallery.load(host);
+}
 
 void StudioContext::touch() {
     ++revision;
     touched = true;
     touchedAt = host.now();
     host.wake();
+}
+
+void StudioContext::record() {
+    history.record(workspace);
+    gallery.remember(host, workspace);
+    touched = false;
 }
 
 void StudioContext::say(std::string text) {
@@ -77,7 +85,8 @@ void StudioContext::redo() {
 }
 
 void StudioContext::open(Workspace opened) {
-    if (touched) history.record(workspace);
+    if (touched) record();
+    gallery.beginAnew();
     workspace = std::move(opened);
     animation.running = false;
     for (ViewState& view : views) view.visits = {};

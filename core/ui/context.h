@@ -13,6 +13,7 @@
 #include "fields/evaluate.h"
 #include "render/bind.h"
 #include "render/viewport.h"
+#include "ui/gallery.h"
 #include "ui/host.h"
 #include "ui/live_picture.h"
 #include "ui/theme.h"
@@ -59,6 +60,9 @@ struct StudioContext {
     float scale = 1;
     bool fontsChanged = false;
     bool searchOpen = false, keysOpen = false, exportOpen = false, welcome = true;
+    bool galleryOpen = false;
+    int galleryAt = 0;  // the entry that the keys have come to: presets first, then recent ones
+    Gallery gallery;
     int exportWidth = 1600;
     std::string notice;  // the last thing that was done or went wrong
     double noticeAt = -100;
@@ -75,6 +79,10 @@ struct StudioContext {
 
     // The workspace has changed.
     void touch();
+    // What was done is a step of the history now.
+    void record();
+    // A dialog stands over the views and takes the keys.
+    bool dialogOpen() const { return searchOpen || exportOpen || galleryOpen; }
     void say(std::string text);
     void report(const Status& status);
     void undo();
@@ -124,6 +132,7 @@ void drawProbe(StudioContext& context);
 void drawPaletteEditor(StudioContext& context);
 void drawInspector(StudioContext& context);
 void drawOrbitStrip(StudioContext& context);
+void drawGallery(StudioContext& context);
 void drawDialogs(StudioContext& context);
 void handleKeys(StudioContext& context);
 

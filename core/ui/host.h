@@ -14,9 +14,14 @@
 
 namespace versorium {
 
+// A place of its own among views, for the small pictures of the gallery. They are made when nothing
+// else is waiting.
+inline constexpr int kThumbnails = 4;
+inline constexpr int kPictureSlots = 5;
+
 // A picture of a scene, asked for by a view. A new request for the same view cancels the old one.
 struct PictureRequest {
-    int view = 0;          // 0 … kMostViews - 1
+    int view = 0;          // 0 … kMostViews - 1, or kThumbnails
     std::uint64_t id = 0;  // comes back with the answer
     std::string scene;     // JSON: the studio and what computes may stand in different processes
     Size size{0, 0};       // in pixels

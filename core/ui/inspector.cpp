@@ -365,6 +365,9 @@ void drawInspector(StudioContext& context) {
     ImGui::TextUnformatted(shown.formula.data(), shown.formula.data() + shown.formula.size());
     ImGui::PopTextWrapPos();
     explainBy(shown.source);
+    if (ImGui::Button("Gallery …")) context.galleryOpen = true;
+    explain("gallery");
+    ImGui::SameLine();
     if (ImGui::Button("Find …")) context.searchOpen = true;
     explain("find");
 

@@ -41,6 +41,8 @@ void Studio::State::takeAnswers() {
     while (std::optional<PictureAnswer> answer = context.host.takePicture())
         if (answer->view >= 0 && answer->view < kMostViews)
             context.views[static_cast<std::size_t>(answer->view)].picture.take(std::move(*answer));
+        else if (answer->view == kThumbnails)
+            context.gallery.take(std::move(*answer));
     if (std::optional<Expected<std::string>> outcome = context.host.takeExport()) {
         if (*outcome) {
             context.say("Exported: " + **outcome);
@@ -58,8 +60,7 @@ void Studio::State::settle() {
         fragmentOld = true;
         if (!ImGui::IsAnyMouseDown() && now - context.touchedAt > kQuiet &&
             !context.animation.running) {
-            context.history.record(context.workspace);
-            context.touched = false;
+            context.record();
         }
     }
     if (fragmentOld && now - fragmentAt > 0.5 && !ImGui::IsAnyMouseDown()) {
@@ -279,6 +280,7 @@ void Studio::stopAnimation() { state_->context.animation.running = false; }
 
 void Studio::contextLost() {
     for (ViewState& view : state_->context.views) view.picture.contextLost();
+    state_->context.gallery.contextLost();
 }
 
 }  // namespace versorium

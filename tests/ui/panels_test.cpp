@@ -13,14 +13,16 @@ namespace versorium {
 namespace {
 
 // Lets the pointer rest on a grid of places: whatever reacts to it must explain itself.
-void expectHelpEverywhere(HeadlessGui& gui, const std::function<void()>& panel, const char* what) {
+// `margin`: what scroll bars and the cross of a dialog take on the right.
+void expectHelpEverywhere(HeadlessGui& gui, const std::function<void()>& panel, const char* what,
+                          float margin = 14) {
     for (int k = 0; k < 3; ++k) gui.frame(panel);
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const float tall = std::min(gui.bottom, size.y);
     int controls = 0;
     std::vector<ImGuiID> told;
     for (float y = 4; y < tall; y += 9)
-        for (float x = 6; x < size.x - 14; x += 17) {
+        for (float x = 6; x < size.x - margin; x += 17) {
             ImGui::GetIO().AddMousePosEvent(x, y);
             gui.frame(panel);
             const ImGuiID id = gui.hovered();
@@ -200,6 +202,104 @@ TEST(Keys, AreNotLostWhenTheyGoDownAndUpWithinAFrame) {
         for (int k = 0; k < 4; ++k) gui.frame(keys);
         EXPECT_EQ(sharedNumber(context.workspace, "c.re"), before) << round;
     }
+}
+
+// The modifier lies down already; then, within one frame, the key goes down and the modifier up.
+TEST(Keys, KnowTheModifierThatWasHeldWhenTheyWentDown) {
+    SilentHost host;
+    HeadlessGui gui;
+    StudioContext context(host);
+    const auto keys = [&] { handleKeys(context); };
+    gui.frame(keys);
+    const double before = sharedNumber(context.workspace, "c.re");
+    setSharedNumber(context.workspace, "c.re", 0.125);
+    context.history.record(context.workspace);
+    ImGuiIO& io = ImGui::GetIO();
+    io.AddKeyEvent(ImGuiMod_Ctrl, true);
+    gui.frame(keys);
+    io.AddKeyEvent(ImGuiKey_Z, true);
+    io.AddKeyEvent(ImGuiMod_Ctrl, false);
+    io.AddKeyEvent(ImGuiKey_Z, false);
+    for (int k = 0; k < 3; ++k) gui.frame(keys);
+    EXPECT_EQ(sharedNumber(context.workspace, "c.re"), before);
+    // The other way round it is a letter, and no command.
+    io.AddKeyEvent(ImGuiMod_Ctrl, true);
+    gui.frame(keys);
+    io.AddKeyEvent(ImGuiMod_Ctrl, false);
+    io.AddKeyEvent(ImGuiKey_A, true);
+    io.AddKeyEvent(ImGuiKey_A, false);
+    for (int k = 0; k < 3; ++k) gui.frame(keys);
+    EXPECT_TRUE(context.workspace.arrows);
+}
+
+// What is worked on is one entry; a new piece of work is another, and the host keeps all.
+TEST(Gallery, KeepsRecentScenesFromOneStartToTheNext) {
+    SilentHost host;
+    {
+        StudioContext context(host);
+        for (int k = 0; k < 3; ++k) {
+            setSharedNumber(context.workspace, "c.re", 0.1 * k);
+            context.touch();
+            context.record();
+        }
+        ASSERT_EQ(context.gallery.recent().size(), 1u);
+        for (const char* map : {"logistic", "newton"}) {
+            context.newMap(map);
+            context.record();
+        }
+        EXPECT_EQ(context.gallery.recent().size(), 3u);
+        for (int k = 0; k < 40; ++k) {
+            context.newMap("quadratic");
+            setSharedNumber(context.workspace, "c.re", 1.0 + k);
+            context.record();
+        }
+        EXPECT_EQ(context.gallery.recent().size(), Gallery::kMostRecent);
+    }
+    host.kept["recent"] = "v1:damaged\n" + host.kept["recent"];
+    StudioContext again(host);
+    ASSERT_EQ(again.gallery.recent().size(), Gallery::kMostRecent);
+    const Expected<Workspace> newest = workspaceFromLink(again.gallery.recent()[0].link);
+    ASSERT_TRUE(newest.ok());
+    EXPECT_EQ(sharedNumber(*newest, "c.re"), 40);
+}
+
+TEST(Gallery, OpensByKeysAndAsksForItsPicturesOneByOne) {
+    SilentHost host;
+    HeadlessGui gui;
+    StudioContext context(host);
+    context.galleryOpen = true;
+    const auto dialog = [&] { drawGallery(context); };
+    const auto press = [&](ImGuiKey key) {
+        ImGui::GetIO().AddKeyEvent(key, true);
+        gui.frame(dialog);
+        ImGui::GetIO().AddKeyEvent(key, false);
+        gui.frame(dialog);
+    };
+    for (int k = 0; k < 3; ++k) gui.frame(dialog);
+    ASSERT_EQ(host.pictures.size(), 1u);
+    EXPECT_EQ(host.pictures[0].view, kThumbnails);
+    press(ImGuiKey_RightArrow);
+    press(ImGuiKey_RightArrow);
+    press(ImGuiKey_LeftArrow);
+    EXPECT_EQ(context.galleryAt, 1);
+    const std::string name = context.gallery.presets()[1].preset;
+    press(ImGuiKey_Enter);
+    EXPECT_FALSE(context.galleryOpen);
+    EXPECT_EQ(sceneToJson(context.workspace.view()), sceneToJson(*presetNamed(name)));
+}
+
+TEST(Help, EveryEntryOfTheGalleryExplainsItself) {
+    SilentHost host;
+    HeadlessGui gui({700, 500});
+    StudioContext context(host);
+    context.galleryOpen = true;
+    expectHelpEverywhere(
+        gui,
+        [&] {
+            drawGallery(context);
+            ImGui::Dummy({1, 480});
+        },
+        "gallery", 50);
 }
 
 }  // namespace
