@@ -43,10 +43,14 @@ class WindowHost final : public Host {
     std::optional<PictureAnswer> takePicture() override { return computer_.take(); }
     void startExport(ExportRequest request) override {
         const std::string name = request.name;
+        const bool clipboard = request.toClipboard;
         computer_.startExport(
             std::move(request),
-            [name](std::span<const unsigned char> bytes) -> Expected<std::string> {
-                return save(name, bytes);
+            [name, clipboard](std::span<const unsigned char> bytes) -> Expected<std::string> {
+                Expected<std::string> path = save(name, bytes);
+                // GLFW's clipboard holds texts and nothing else.
+                if (path && clipboard) *path += " (the clipboard of this window takes only text)";
+                return path;
             });
     }
     void cancelExport() override { computer_.cancelExport(); }

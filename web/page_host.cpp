@@ -13,8 +13,8 @@ EM_JS(void, page_js_request,
       (int view, double id, const char* scene, int width, int height, int samples), {
     Module.page.request({ view, id, scene: UTF8ToString(scene), width, height, samples });
 });
-EM_JS(void, page_js_export, (const char* document, const char* name), {
-    Module.page.startExport(UTF8ToString(document), UTF8ToString(name));
+EM_JS(void, page_js_export, (const char* document, const char* name, int copy), {
+    Module.page.startExport(UTF8ToString(document), UTF8ToString(name), copy !== 0);
 });
 EM_JS(void, page_js_cancel_export, (), { Module.page.cancelExport(); });
 EM_JS(int, page_js_save, (const char* name, const unsigned char* bytes, int size), {
@@ -69,7 +69,7 @@ std::optional<PictureAnswer> PageHost::takePicture() {
 void PageHost::startExport(ExportRequest request) {
     exported_.reset();
     progress_ = 0;
-    page_js_export(request.document.c_str(), request.name.c_str());
+    page_js_export(request.document.c_str(), request.name.c_str(), request.toClipboard ? 1 : 0);
 }
 
 void PageHost::cancelExport() {

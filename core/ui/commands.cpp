@@ -4,7 +4,6 @@
 #include <cctype>
 
 #include "imgui.h"
-#include "render/renderer.h"
 #include "ui/context.h"
 #include "ui/keys.h"
 
@@ -65,7 +64,8 @@ std::vector<Command> commandsOf(StudioContext& context) {
         {"Redo", "Shift Ctrl Z", [c] { c->redo(); }},
         {"Find a map, a preset or a command", "Ctrl K", [c] { c->searchOpen = true; }},
         {"Presets and recent scenes as pictures", "Ctrl G", [c] { c->galleryOpen = true; }},
-        {"Export the marked view as a PNG", "Ctrl E", [c] { c->exportOpen = true; }},
+        {"Export a picture or a plate", "Ctrl E", [c] { c->exportOpen = true; }},
+        {"Copy the marked view as an image", "Ctrl I", [c] { c->copyImage(); }},
         {"Copy a link to what is shown", "Ctrl L", [c] { c->copyLink(); }},
         {"Save the scene as a file", "Ctrl S", [c] { c->saveScene(); }},
         {"Home", "Home", [c, focused] { c->home(focused()); }},
@@ -140,11 +140,9 @@ void handleKeys(StudioContext& context) {
     const auto shifted = [](ImGuiKey key) { return (modifiersOf(key) & ImGuiMod_Shift) != 0; };
     if (pressed(ImGuiKey_Z, true, true)) run(shifted(ImGuiKey_Z) ? "Shift Ctrl Z" : "Ctrl Z");
     if (pressed(ImGuiKey_Y, true, true)) run("Shift Ctrl Z");
-    constexpr std::pair<ImGuiKey, const char*> commands[] = {{ImGuiKey_K, "Ctrl K"},
-                                                             {ImGuiKey_G, "Ctrl G"},
-                                                             {ImGuiKey_E, "Ctrl E"},
-                                                             {ImGuiKey_L, "Ctrl L"},
-                                                             {ImGuiKey_S, "Ctrl S"}};
+    constexpr std::pair<ImGuiKey, const char*> commands[] = {
+        {ImGuiKey_K, "Ctrl K"}, {ImGuiKey_G, "Ctrl G"}, {ImGuiKey_E, "Ctrl E"},
+        {ImGuiKey_I, "Ctrl I"}, {ImGuiKey_L, "Ctrl L"}, {ImGuiKey_S, "Ctrl S"}};
     for (const auto& [key, name] : commands)
         if (pressed(key, true)) run(name);
     if (context.dialogOpen()) return;
@@ -256,36 +254,6 @@ void drawKeys(StudioContext& context) {
         if (ImGui::IsKeyPressed(ImGuiKey_Escape)) context.keysOpen = false;
     }
     ImGui::End();
-}
-
-void drawExport(StudioContext& context) {
-    if (context.exportOpen && !ImGui::IsPopupOpen("Export")) ImGui::OpenPopup("Export");
-    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
-    if (!ImGui::BeginPopupModal("Export", &context.exportOpen, ImGuiWindowFlags_AlwaysAutoResize))
-        return;
-    const double progress = context.host.exportProgress();
-    ImGui::TextUnformatted(
-        "A PNG of the marked view that carries its scene: it can be opened again.");
-    ImGui::BeginDisabled(progress >= 0);
-    ImGui::InputInt("pixels wide", &context.exportWidth, 100, 1000);
-    context.exportWidth = std::clamp(context.exportWidth, 16, kMostPixels);
-    int samples = context.workspace.view().samples;
-    if (ImGui::SliderInt("samples along a pixel", &samples, 1, kMostSamples)) {
-        context.workspace.view().samples = samples;
-        context.touch();
-    }
-    if (ImGui::Button("Export")) context.startExport();
-    ImGui::EndDisabled();
-    ImGui::SameLine();
-    if (progress >= 0) {
-        ImGui::ProgressBar(static_cast<float>(progress), {ImGui::GetFontSize() * 10, 0});
-        ImGui::SameLine();
-        if (ImGui::Button("Cancel")) context.host.cancelExport();
-    } else if (ImGui::Button("Close") || ImGui::IsKeyPressed(ImGuiKey_Escape)) {
-        context.exportOpen = false;
-        ImGui::CloseCurrentPopup();
-    }
-    ImGui::EndPopup();
 }
 
 }  // namespace

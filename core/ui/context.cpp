@@ -27,12 +27,9 @@ bool isQuick(const Scene& scene) {
            std::find(meshes.begin(), meshes.end(), scene.shape.source) == meshes.end();
 }
 
-std::string documentText(const Scene& scene, Size size) {
+std::string documentText(const Scene& scene) {
     Document document;
     document.body = withoutAssets(sceneToJson(scene), document.assets);
-    if (size.width > 0)
-        document.render =
-            Json{{"width", size.width}, {"height", size.height}, {"flavour", "exact"}};
     return printJson(documentToJson(document));
 }
 
@@ -181,7 +178,7 @@ void StudioContext::copyLink() {
 }
 
 void StudioContext::saveScene() {
-    const std::string text = documentText(workspace.view(), {0, 0});
+    const std::string text = documentText(workspace.view());
     Expected<std::string> path =
         host.saveFile(workspace.view().map + ".json",
                       {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
@@ -189,16 +186,25 @@ void StudioContext::saveScene() {
     say("Saved: " + *path);
 }
 
-void StudioContext::startExport() {
-    const ViewState& state = views[static_cast<std::size_t>(workspace.focused)];
-    const double tall = std::max(1.0f, state.high.y - state.low.y);
-    const double wide = std::max(1.0f, state.high.x - state.low.x);
-    const Size size{exportWidth,
-                    std::max(1, static_cast<int>(std::lround(exportWidth * tall / wide)))};
-    Scene scene = workspace.view();
-    scene.aspect = wide / tall;
-    if (Status status = checkSize(scene, size); !status.ok()) return report(status);
-    host.startExport({documentText(scene, size), scene.map + ".png"});
+void StudioContext::startExport() { beginExport(exporting, false); }
+
+void StudioContext::copyImage() {
+    ExportOptions options = exporting;
+    options.allViews = options.allViews && exportOpen;
+    options.plate = options.plate && exportOpen;
+    beginExport(options, true);
+}
+
+void StudioContext::beginExport(const ExportOptions& options, bool toClipboard) {
+    std::vector<double> aspects;
+    for (std::size_t k = 0; k < workspace.views.size(); ++k)
+        aspects.push_back(aspect(static_cast<int>(k)));
+    const Expected<Document> document = exportDocument(workspace, aspects, options);
+    if (!document) return report(document.status());
+    copying = toClipboard;
+    const std::string name = workspace.view().map + (options.plate ? "-plate.png" : ".png");
+    host.startExport({printJson(documentToJson(*document)), name, toClipboard});
+    host.wake();
 }
 
 double StudioContext::aspect(int view) const {

@@ -13,6 +13,7 @@
 #include "fields/evaluate.h"
 #include "render/bind.h"
 #include "render/viewport.h"
+#include "ui/export_document.h"
 #include "ui/gallery.h"
 #include "ui/host.h"
 #include "ui/live_picture.h"
@@ -20,6 +21,8 @@
 #include "ui/workspace.h"
 
 namespace versorium {
+
+inline constexpr double kNoticeFor = 6;  // seconds that a notice stays
 
 // The places that a view has shown, for back and forward.
 struct Visits {
@@ -63,8 +66,9 @@ struct StudioContext {
     bool galleryOpen = false;
     int galleryAt = 0;  // the entry that the keys have come to: presets first, then recent ones
     Gallery gallery;
-    int exportWidth = 1600;
-    std::string notice;  // the last thing that was done or went wrong
+    ExportOptions exporting;
+    bool copying = false;  // the export goes to the clipboard
+    std::string notice;    // the last thing that was done or went wrong
     double noticeAt = -100;
     Probe probe;
     enum class Strip { series, web } strip = Strip::series;
@@ -98,6 +102,7 @@ struct StudioContext {
     void copyLink();
     void saveScene();
     void startExport();
+    void copyImage();
 
     // Width over height of a view in the window.
     double aspect(int view) const;
@@ -108,6 +113,7 @@ struct StudioContext {
     const std::vector<std::vector<double>>& orbit();
 
   private:
+    void beginExport(const ExportOptions& options, bool toClipboard);
     struct Bound {
         std::uint64_t revision = 0;
         std::optional<OrbitProgram> program;
@@ -132,6 +138,9 @@ void drawProbe(StudioContext& context);
 void drawPaletteEditor(StudioContext& context);
 void drawInspector(StudioContext& context);
 void drawOrbitStrip(StudioContext& context);
+void drawExport(StudioContext& context);
+// Says how an export ended, once it has.
+void takeExport(StudioContext& context);
 void drawGallery(StudioContext& context);
 void drawDialogs(StudioContext& context);
 void handleKeys(StudioContext& context);

@@ -37,10 +37,11 @@ struct PictureAnswer {
     double seconds = 0;               // that it took
 };
 
-// A file to be made: a PNG that carries its scene (render/picture.h), as the command line makes it.
+// A file to be made: a PNG that carries its scene or its plate, as the command line makes it.
 struct ExportRequest {
-    std::string document;  // JSON of a Document
-    std::string name;      // proposed file name
+    std::string document;      // JSON of a Document
+    std::string name;          // proposed file name
+    bool toClipboard = false;  // as an image; where that cannot be, as a file
 };
 
 class Host {
@@ -59,7 +60,8 @@ class Host {
     virtual void requestPicture(PictureRequest request) = 0;
     virtual std::optional<PictureAnswer> takePicture() = 0;
 
-    // One export at a time; takeExport gives its outcome once: where the file is, or what failed.
+    // One export at a time; takeExport gives its outcome once: where the picture is, such as the
+    // file's path or "the clipboard", or what failed; ErrorKind::cancelled after cancelExport.
     virtual void startExport(ExportRequest request) = 0;
     virtual void cancelExport() = 0;
     virtual double exportProgress() const = 0;  // 0 … 1; negative while there is none

@@ -40,7 +40,7 @@ void drawMenu(StudioContext& context, const std::string& name, double& value,
     ImGui::TextDisabled("%s", name.c_str());
     ImGui::PushItemWidth(ImGui::GetFontSize() * 9);
     const double step = look.whole ? 1 : (range[1] - range[0]) / 4000;
-    exactField("exact value", value, step, look.whole ? "%.0f" : "%.17g");
+    exactField("exact value", value, step, look.whole ? "%.0f" : "%.15g");
     explain("exact value");
     std::array<double, 2> next = range;
     bool moved = exactField("range low", next[0], step, "%.6g");

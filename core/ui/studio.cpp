@@ -10,9 +10,8 @@
 namespace versorium {
 namespace {
 
-constexpr double kQuiet = 0.4;    // seconds without a change before it is recorded
-constexpr double kNoticeFor = 6;  // seconds that a notice stays
-constexpr float kNarrow = 900;    // below this width views become tabs
+constexpr double kQuiet = 0.4;  // seconds without a change before it is recorded
+constexpr float kNarrow = 900;  // below this width views become tabs
 constexpr float kInspector = 330, kStrip = 150, kWebStrip = 300;
 
 }  // namespace
@@ -43,14 +42,7 @@ void Studio::State::takeAnswers() {
             context.views[static_cast<std::size_t>(answer->view)].picture.take(std::move(*answer));
         else if (answer->view == kThumbnails)
             context.gallery.take(std::move(*answer));
-    if (std::optional<Expected<std::string>> outcome = context.host.takeExport()) {
-        if (*outcome) {
-            context.say("Exported: " + **outcome);
-            context.exportOpen = false;
-        } else {
-            context.report(outcome->status());
-        }
-    }
+    takeExport(context);
 }
 
 // Records what was done, once the hand is off it, and keeps the link up to date.

@@ -84,6 +84,15 @@ class HeadlessGui {
     }
     ImGuiID hovered() const { return ImGui::GetHoveredID(); }
 
+    // A window's own cross or scroll bar.
+    bool isFrame(ImGuiID id) const {
+        for (ImGuiWindow* window : context_->Windows)
+            if (id == window->GetID("#CLOSE") ||
+                id == ImGui::GetWindowScrollbarID(window, ImGuiAxis_Y))
+                return true;
+        return false;
+    }
+
     float bottom = 0;  // where the panel's last item ends
 
   private:

@@ -82,13 +82,14 @@ export class Export {
     Object.assign(this, { start, onProgress, onEnd });
   }
 
-  begin(document, name) {
+  // `copy`: the picture is for the clipboard.
+  begin(document, name, copy = false) {
     this.cancel();
     const worker = (this.worker = openWorker(this.start));
     const end = (answer) => {
       if (this.worker !== worker) return;
       this.cancel();
-      this.onEnd(name, answer);
+      this.onEnd(name, answer, copy);
     };
     worker.onmessage = ({ data }) => {
       if (this.worker !== worker) return;
