@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "computer.h"
+#include "folders.h"
 #include "imgui.h"
 #include "imgui_impl_glfw.h"
 #include "imgui_impl_opengl3.h"
@@ -59,6 +60,12 @@ class WindowHost final : public Host {
     Expected<std::string> saveFile(const std::string& name,
                                    std::span<const unsigned char> bytes) override {
         return save(name, bytes);
+    }
+    Expected<Folder> listFolder(const std::string& path) override {
+        return versorium::listFolder(path);
+    }
+    Expected<std::vector<unsigned char>> readFile(const std::string& path) override {
+        return versorium::readFile(path, kOpenBytes);
     }
     std::string publicAddress() const override {
         std::string address = readSetting("public_url");

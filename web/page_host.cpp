@@ -20,6 +20,7 @@ EM_JS(void, page_js_cancel_export, (), { Module.page.cancelExport(); });
 EM_JS(int, page_js_save, (const char* name, const unsigned char* bytes, int size), {
     return Module.page.save(UTF8ToString(name), HEAPU8.slice(bytes, bytes + size)) ? 1 : 0;
 });
+EM_JS(void, page_js_choose_file, (), { Module.page.chooseFile(); });
 // These return a text that the caller frees.
 EM_JS(char*, page_js_address, (), { return Module.page.give(Module.page.address()); });
 EM_JS(char*, page_js_stored, (const char* name), {
@@ -92,6 +93,11 @@ Expected<std::string> PageHost::saveFile(const std::string& name,
     if (!page_js_save(name.c_str(), bytes.data(), static_cast<int>(bytes.size())))
         return Status::inputOutput(name + ": the browser did not take the file");
     return name + ", among your downloads";
+}
+
+bool PageHost::chooseFile() {
+    page_js_choose_file();
+    return true;
 }
 
 std::string PageHost::publicAddress() const { return taken(page_js_address()); }

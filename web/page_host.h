@@ -29,6 +29,8 @@ class PageHost : public Host {
     Expected<std::string> saveFile(const std::string& name,
                                    std::span<const unsigned char> bytes) override;
 
+    bool chooseFile() override;
+
     std::string publicAddress() const override;
     void setFragment(const std::string& fragment) override;
 

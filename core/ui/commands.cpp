@@ -63,6 +63,9 @@ std::vector<Command> commandsOf(StudioContext& context) {
         {"Undo", "Ctrl Z", [c] { c->undo(); }},
         {"Redo", "Shift Ctrl Z", [c] { c->redo(); }},
         {"Find a map, a preset or a command", "Ctrl K", [c] { c->searchOpen = true; }},
+        {"Open a scene, a picture, a mesh, an image or a palette", "Ctrl O",
+         [c] { c->chooseFile(); }},
+        {"Open what is on the clipboard", "Ctrl V", [c] { c->paste(); }},
         {"Presets and recent scenes as pictures", "Ctrl G", [c] { c->galleryOpen = true; }},
         {"Export a picture or a plate", "Ctrl E", [c] { c->exportOpen = true; }},
         {"Copy the marked view as an image", "Ctrl I", [c] { c->copyImage(); }},
@@ -142,7 +145,8 @@ void handleKeys(StudioContext& context) {
     if (pressed(ImGuiKey_Y, true, true)) run("Shift Ctrl Z");
     constexpr std::pair<ImGuiKey, const char*> commands[] = {
         {ImGuiKey_K, "Ctrl K"}, {ImGuiKey_G, "Ctrl G"}, {ImGuiKey_E, "Ctrl E"},
-        {ImGuiKey_I, "Ctrl I"}, {ImGuiKey_L, "Ctrl L"}, {ImGuiKey_S, "Ctrl S"}};
+        {ImGuiKey_I, "Ctrl I"}, {ImGuiKey_L, "Ctrl L"}, {ImGuiKey_O, "Ctrl O"},
+        {ImGuiKey_V, "Ctrl V"}, {ImGuiKey_S, "Ctrl S"}};
     for (const auto& [key, name] : commands)
         if (pressed(key, true)) run(name);
     if (context.dialogOpen()) return;
@@ -261,6 +265,7 @@ void drawKeys(StudioContext& context) {
 void drawDialogs(StudioContext& context) {
     drawSearch(context);
     drawGallery(context);
+    drawOpenFile(context);
     drawKeys(context);
     drawExport(context);
 }

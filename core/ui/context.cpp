@@ -6,6 +6,7 @@
 
 #include "io/document.h"
 #include "render/picture.h"
+#include "ui/open_file.h"
 
 namespace versorium {
 namespace {
@@ -164,6 +165,8 @@ void StudioContext::stepOrbit(int steps) {
     workspace.orbitSteps = std::max(workspace.orbitSteps, workspace.orbitAt);
     touch();
 }
+
+void StudioContext::paste() { report(openText(*this, host.clipboard())); }
 
 void StudioContext::copyLink() {
     Expected<std::string> link = workspaceToLink(workspace);

@@ -48,6 +48,13 @@ struct Probe {
     std::vector<std::pair<std::string, std::string>> rows;  // names and values
 };
 
+// The studio's own list of files.
+struct FileList {
+    Folder folder;
+    std::string typed, problem;
+    int chosen = 0;
+};
+
 struct StudioContext {
     explicit StudioContext(Host& host);
 
@@ -63,7 +70,8 @@ struct StudioContext {
     float scale = 1;
     bool fontsChanged = false;
     bool searchOpen = false, keysOpen = false, exportOpen = false, welcome = true;
-    bool galleryOpen = false;
+    bool galleryOpen = false, fileOpen = false;
+    FileList files;
     int galleryAt = 0;  // the entry that the keys have come to: presets first, then recent ones
     Gallery gallery;
     ExportOptions exporting;
@@ -86,7 +94,7 @@ struct StudioContext {
     // What was done is a step of the history now.
     void record();
     // A dialog stands over the views and takes the keys.
-    bool dialogOpen() const { return searchOpen || exportOpen || galleryOpen; }
+    bool dialogOpen() const { return searchOpen || exportOpen || galleryOpen || fileOpen; }
     void say(std::string text);
     void report(const Status& status);
     void undo();
@@ -99,6 +107,8 @@ struct StudioContext {
     void zoom(int view, double factor, double u, double v);  // the point (u, v) stays where it is
     void pan(int view, double widths, double heights);
     void stepOrbit(int steps);  // the orbit grows where it ends
+    void chooseFile();
+    void paste();  // opens what is on the clipboard
     void copyLink();
     void saveScene();
     void startExport();
@@ -141,6 +151,7 @@ void drawOrbitStrip(StudioContext& context);
 void drawExport(StudioContext& context);
 // Says how an export ended, once it has.
 void takeExport(StudioContext& context);
+void drawOpenFile(StudioContext& context);
 void drawGallery(StudioContext& context);
 void drawDialogs(StudioContext& context);
 void handleKeys(StudioContext& context);

@@ -68,7 +68,8 @@ void drawExport(StudioContext& context) {
     else
         pictureOptions(context, options);
     int samples = context.workspace.view().samples;
-    if (ImGui::DragInt("samples along a pixel", &samples, 0.05f, 1, kMostSamples, "%d", ImGuiSliderFlags_AlwaysClamp)) {
+    if (ImGui::DragInt("samples along a pixel", &samples, 0.05f, 1, kMostSamples, "%d",
+                       ImGuiSliderFlags_AlwaysClamp)) {
         for (Scene& scene : context.workspace.views) scene.samples = samples;
         context.touch();
     }

@@ -18,6 +18,7 @@ constexpr Help kHelp[] = {
     {"find", "Finds maps, presets, recent scenes and commands by any part of their name."},
     {"gallery", "Presets and the scenes of last time, as pictures."},
     {"open", "Opens a scene, a picture that carries one, a mesh, an image or a palette."},
+    {"export dialog", "A picture or a plate of what is shown, as a PNG of any size."},
     {"pad", "Drag the point: right is the real part, up is i."},
     {"parameter", "A number that the map depends on."},
     {"borders", "Left, right, bottom and top of the view, to be typed."},

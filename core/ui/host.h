@@ -44,6 +44,15 @@ struct ExportRequest {
     bool toClipboard = false;  // as an image; where that cannot be, as a file
 };
 
+struct FolderEntry {
+    std::string name;
+    bool isFolder = false;
+};
+struct Folder {
+    std::string path;  // absolute
+    std::vector<FolderEntry> entries;
+};
+
 class Host {
   public:
     virtual ~Host() = default;
@@ -70,6 +79,17 @@ class Host {
     // Gives the user a file of these bytes; says where it is.
     virtual Expected<std::string> saveFile(const std::string& name,
                                            std::span<const unsigned char> bytes) = 0;
+
+    // Lets the user choose a file by the host's own dialog; it comes through Studio::openBytes.
+    // False where there is none: the studio then shows folders itself.
+    virtual bool chooseFile() { return false; }
+    // ".." first, then folders and files by name; an empty path is where the user begins.
+    virtual Expected<Folder> listFolder(const std::string&) {
+        return Status::usage("there are no folders here");
+    }
+    virtual Expected<std::vector<unsigned char>> readFile(const std::string& path) {
+        return Status::usage(path + ": files are not read by name here");
+    }
 
     // What links begin with: the page's address, or the configured one; empty where there is none.
     virtual std::string publicAddress() const = 0;

@@ -370,6 +370,12 @@ void drawInspector(StudioContext& context) {
     ImGui::SameLine();
     if (ImGui::Button("Find …")) context.searchOpen = true;
     explain("find");
+    ImGui::SameLine();
+    if (ImGui::Button("Open …")) context.chooseFile();
+    explain("open");
+    ImGui::SameLine();
+    if (ImGui::Button("Export …")) context.exportOpen = true;
+    explain("export dialog");
 
     heading("Parameters");
     parameters(context);

@@ -6,6 +6,7 @@
 
 #include "io/document.h"
 #include "ui/context.h"
+#include "ui/open_file.h"
 
 namespace versorium {
 namespace {
@@ -230,15 +231,7 @@ Status Studio::openPreset(const std::string& name) {
 }
 
 Status Studio::openBytes(const std::string& name, std::span<const unsigned char> bytes) {
-    Expected<Document> document = documentFromBytes(bytes);
-    if (!document) return document.status().in(name);
-    if (document->kind != "scene")
-        return Status::data(name + ": this is a plate; only scenes open in the studio");
-    Expected<Scene> scene = sceneWithAssets(document->body, document->assets);
-    if (!scene) return scene.status().in(name);
-    state_->context.open(workspaceOf(*scene));
-    state_->context.say("Opened " + name);
-    return {};
+    return versorium::openBytes(state_->context, name, bytes);
 }
 
 Status Studio::openFragment(const std::string& fragment) {

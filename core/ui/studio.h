@@ -31,7 +31,8 @@ class Studio {
     // True while something moves or is being waited for: the shell should draw on without events.
     bool busy() const;
 
-    // A preset's name, or a document's JSON or PNG. On failure everything stays as it was.
+    // A preset's name, or what a file holds (ui/open_file.h). On failure everything stays as it
+    // was.
     Status openPreset(const std::string& name);
     Status openBytes(const std::string& name, std::span<const unsigned char> bytes);
     // The part of a link behind the '#', checked like any foreign input.

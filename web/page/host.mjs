@@ -97,6 +97,7 @@ export function makeHost({ studio, wake, address, pictures, exports }) {
       download(name, bytes);
       return true;
     },
+    chooseFile: () => byId("file").click(),
     address: publicAddress,
     stored(name) {
       try {
