@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "computer.h"
 #include "folders.h"
@@ -33,6 +34,9 @@ class WindowHost final : public Host {
 
     double now() const override { return glfwGetTime(); }
     void wake() override { glfwPostEmptyEvent(); }
+    void wakeAfter(double seconds) override { due_ = std::min(due_, now() + seconds); }
+    // How long the window may rest, and forgets it.
+    double rest() { return std::clamp(std::exchange(due_, kNever) - now(), 0.001, kIdle); }
     std::string clipboard() override {
         const char* text = glfwGetClipboardString(window_);
         return text ? text : "";
@@ -89,7 +93,9 @@ class WindowHost final : public Host {
         return path;
     }
 
+    static constexpr double kNever = 1e300;
     GLFWwindow* window_;
+    double due_ = kNever;
     mutable Computer computer_;
     std::string fragment_;
 };
@@ -192,7 +198,7 @@ Status runStudio(const WindowOptions& options) {
             glfwPollEvents();
             settle = std::max(0, settle - 1);
         } else {
-            glfwWaitEventsTimeout(kIdle);
+            glfwWaitEventsTimeout(host.rest());
             settle = kSettleFrames;
         }
         float across = 1, down = 1;

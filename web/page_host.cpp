@@ -8,6 +8,7 @@
 
 // clang-format off
 EM_JS(void, page_js_wake, (), { Module.page.wake(); });
+EM_JS(void, page_js_wake_after, (double seconds), { Module.page.wakeAfter(seconds); });
 EM_JS(void, page_js_copy, (const char* text), { Module.page.copy(UTF8ToString(text)); });
 EM_JS(void, page_js_request,
       (int view, double id, const char* scene, int width, int height, int samples), {
@@ -48,6 +49,7 @@ std::string taken(char* text) {
 
 double PageHost::now() const { return emscripten_get_now() / 1000; }
 void PageHost::wake() { page_js_wake(); }
+void PageHost::wakeAfter(double seconds) { page_js_wake_after(seconds); }
 
 void PageHost::setClipboard(const std::string& text) {
     clipboard_ = text;

@@ -14,6 +14,7 @@ class PageHost : public Host {
   public:
     double now() const override;
     void wake() override;
+    void wakeAfter(double seconds) override;
 
     std::string clipboard() override { return clipboard_; }
     void setClipboard(const std::string& text) override;

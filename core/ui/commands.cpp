@@ -77,12 +77,12 @@ std::vector<Command> commandsOf(StudioContext& context) {
         {"Zoom in", "+",
          [c, focused] {
              const auto& centre = c->workspace.view().slice.centre;
-             c->zoom(focused(), 0.8, centre[0], centre.size() > 1 ? centre[1] : 0);
+             c->zoom(focused(), 0.8, centre[0], centre.size() > 1 ? centre[1] : 0, true);
          }},
         {"Zoom out", "-",
          [c, focused] {
              const auto& centre = c->workspace.view().slice.centre;
-             c->zoom(focused(), 1.25, centre[0], centre.size() > 1 ? centre[1] : 0);
+             c->zoom(focused(), 1.25, centre[0], centre.size() > 1 ? centre[1] : 0, true);
          }},
         {"Fill the window with the marked view, or not", "F",
          [c] {

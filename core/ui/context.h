@@ -17,6 +17,7 @@
 #include "ui/gallery.h"
 #include "ui/host.h"
 #include "ui/live_picture.h"
+#include "ui/motion.h"
 #include "ui/theme.h"
 #include "ui/workspace.h"
 
@@ -35,9 +36,11 @@ struct ViewState {
     std::string text;  // of the scene, made anew when the revision is
     std::uint64_t revision = 0;
     Visits visits;
-    ImVec2 low{}, high{};  // its rectangle in the window
-    enum class Drag { none, pan, marker, box } drag = Drag::none;
+    std::optional<Glide> glide;  // on its way; the workspace holds where it is now
+    ImVec2 low{}, high{};        // its rectangle in the window
+    enum class Drag { none, pan, marker, box, pinch } drag = Drag::none;
     ImVec2 dragFrom{};
+    double pinchedAt = -100;  // when two fingers moved it last
 };
 
 struct Probe {
@@ -104,7 +107,15 @@ struct StudioContext {
     void visit(int view);  // remembers where a view is
     void revisit(int view, int step);
     void home(int view);
-    void zoom(int view, double factor, double u, double v);  // the point (u, v) stays where it is
+    // The point (u, v) stays where it is. Eased, unless motion is to be reduced.
+    void zoom(int view, double factor, double u, double v, bool eased = false);
+    void glideTo(int view, SliceSpec place);
+    // Takes all views that are on their way a step further; true while one is.
+    bool glide();
+    bool gliding() const;
+    // Two fingers whose middle went from one place of the window to another while their distance
+    // grew by a factor. Whatever a finger had begun to drag is let go. False where no view is.
+    bool pinch(ImVec2 from, ImVec2 to, double factor);
     void pan(int view, double widths, double heights);
     void stepOrbit(int steps);  // the orbit grows where it ends
     void chooseFile();

@@ -75,7 +75,9 @@ void drawExport(StudioContext& context) {
     }
     explain("samples");
     ImGui::TextDisabled("The PNG carries its scene: it can be opened again.");
-    if (ImGui::Button("Export")) context.startExport();
+    const bool enter =
+        progress < 0 && !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(ImGuiKey_Enter, false);
+    if (ImGui::Button("Export") || enter) context.startExport();
     explain("export");
     ImGui::SameLine();
     if (ImGui::Button("Copy image")) context.copyImage();

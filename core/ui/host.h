@@ -61,6 +61,8 @@ class Host {
     virtual double now() const = 0;
     // Asks for another frame, even where nothing else happens.
     virtual void wake() = 0;
+    // Asks for a frame in so many seconds: for what ends by itself. An earlier one does as well.
+    virtual void wakeAfter(double) { wake(); }
 
     virtual std::string clipboard() = 0;
     virtual void setClipboard(const std::string& text) = 0;

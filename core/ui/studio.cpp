@@ -11,8 +11,9 @@
 namespace versorium {
 namespace {
 
-constexpr double kQuiet = 0.4;  // seconds without a change before it is recorded
-constexpr float kNarrow = 900;  // below this width views become tabs
+constexpr double kQuiet = 0.4;          // seconds without a change before it is recorded
+constexpr double kProgressEvery = 0.1;  // seconds
+constexpr float kNarrow = 900;          // below this width views become tabs
 constexpr float kInspector = 330, kStrip = 150, kWebStrip = 300;
 
 }  // namespace
@@ -65,6 +66,9 @@ void Studio::State::settle() {
             context.host.setFragment(fragmentText);
         }
     }
+    // What is still to be settled, or shown, comes by itself.
+    if (context.touched || fragmentOld) context.host.wakeAfter(0.5 * kQuiet);
+    if (context.host.exportProgress() >= 0) context.host.wakeAfter(kProgressEvery);
 }
 
 void Studio::State::animate() {
@@ -196,6 +200,7 @@ void Studio::frame() {
     StudioContext& context = state.context;
     state.takeAnswers();
     handleKeys(context);
+    context.glide();
     state.animate();
     const ImGuiViewport& screen = *ImGui::GetMainViewport();
     ImGui::SetNextWindowPos(screen.WorkPos);
@@ -219,8 +224,11 @@ void Studio::frame() {
 
 bool Studio::busy() const {
     const StudioContext& context = state_->context;
-    return context.animation.running || context.touched || state_->fragmentOld ||
-           context.host.now() - context.noticeAt < kNoticeFor || context.host.exportProgress() >= 0;
+    return context.animation.running || context.gliding();
+}
+
+bool Studio::pinch(float fromX, float fromY, float toX, float toY, double factor) {
+    return state_->context.pinch({fromX, fromY}, {toX, toY}, factor);
 }
 
 Status Studio::openPreset(const std::string& name) {
@@ -257,7 +265,7 @@ bool Studio::finished() const {
             !(workspace.maximised || state_->narrow) || static_cast<int>(k) == workspace.focused;
         if (shown && !state_->context.views[k].picture.finished()) return false;
     }
-    return !state_->context.animation.running;
+    return !state_->context.animation.running && !state_->context.gliding();
 }
 
 void Studio::tell(const Status& status) { state_->context.report(status); }

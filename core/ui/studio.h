@@ -42,6 +42,8 @@ class Studio {
     // Shows why something failed.
     void tell(const Status& status);
     void stopAnimation();
+    // Two fingers of a touch screen: see StudioContext::pinch. False where no view is.
+    bool pinch(float fromX, float fromY, float toX, float toY, double factor);
 
     // OpenGL's context was lost: forgets every name in it. Textures come back by themselves.
     void contextLost();

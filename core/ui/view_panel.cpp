@@ -54,7 +54,7 @@ void handlePointer(StudioContext& context, int view, const ViewPlane& plane, boo
     }
     if (hovered && ImGui::IsMouseDoubleClicked(0) && !near(mouse, ring, kReach * context.scale)) {
         context.visit(view);
-        context.zoom(view, 0.5, plane.u(mouse.x), plane.v(mouse.y));
+        context.zoom(view, 0.5, plane.u(mouse.x), plane.v(mouse.y), true);
     }
     if (!active) {
         if (state.drag == ViewState::Drag::box && std::abs(mouse.x - state.dragFrom.x) > 8 &&
@@ -81,6 +81,7 @@ void handlePointer(StudioContext& context, int view, const ViewPlane& plane, boo
         context.touch();
     } else if (state.drag == ViewState::Drag::pan) {
         Scene& scene = workspace.views[static_cast<std::size_t>(view)];
+        state.glide.reset();
         scene.slice.centre[0] -= io.MouseDelta.x / plane.unit();
         if (scene.slice.centre.size() > 1) scene.slice.centre[1] += io.MouseDelta.y / plane.unit();
         context.touch();

@@ -85,8 +85,16 @@ export class Address {
 // The object that the module is made with. `studio()` is the module once it is there.
 export function makeHost({ studio, wake, address, pictures, exports }) {
   const canvas = byId("canvas");
+  let due = Infinity, timer = 0;
   return {
     wake,
+    wakeAfter(seconds) {
+      const at = performance.now() + 1000 * seconds;
+      if (at >= due) return;
+      due = at;
+      clearTimeout(timer);
+      timer = setTimeout(() => { due = Infinity; wake(); }, 1000 * seconds);
+    },
     copy(text) {
       navigator.clipboard?.writeText(text).catch(() => announce("The browser did not copy."));
     },
