@@ -5,6 +5,7 @@
 
 #include "imgui.h"
 #include "ui/context.h"
+#include "ui/help.h"
 #include "ui/keys.h"
 
 namespace versorium {
@@ -189,6 +190,7 @@ void drawSearch(StudioContext& context) {
     const bool enter =
         ImGui::InputTextWithHint("##question", "a map, a preset, a command", question,
                                  sizeof question, ImGuiInputTextFlags_EnterReturnsTrue);
+    explain("question");
     std::vector<Command> entries;
     for (const std::string& name : presetNames())
         entries.push_back({"Preset: " + name, "", [&context, name] {
@@ -215,6 +217,7 @@ void drawSearch(StudioContext& context) {
         if (!matches(entry.name, question)) continue;
         ImGui::PushID(&entry);
         const bool picked = ImGui::Selectable(entry.name.c_str(), first && question[0] != 0);
+        explain("found");
         ImGui::PopID();
         if (!entry.keys.empty()) {
             ImGui::SameLine(ImGui::GetContentRegionAvail().x - ImGui::GetFontSize() * 6);

@@ -128,18 +128,7 @@ void StudioContext::revisit(int view, int step) {
 
 void StudioContext::home(int view) {
     visit(view);
-    const Scene& scene = workspace.views[static_cast<std::size_t>(view)];
-    const Scene there = showsParameters(scene) ? parameterView(scene) : dynamicalView(scene);
-    SliceSpec place = scene.slice;
-    if (there.slice.axes == scene.slice.axes) {
-        place.centre = there.slice.centre;
-        place.height = there.slice.height;
-    } else {
-        std::fill(place.centre.begin(), place.centre.end(), 0.0);
-        place.height = 4;
-    }
-    std::fill(place.centreLow.begin(), place.centreLow.end(), 0.0);
-    glideTo(view, std::move(place));
+    glideTo(view, homeOf(workspace.views[static_cast<std::size_t>(view)]));
 }
 
 void StudioContext::zoom(int view, double factor, double u, double v, bool eased) {

@@ -21,7 +21,7 @@ void labelled(const char* label) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(label);
     ImGui::SameLine();
-    ImGui::SetCursorPosX(ImGui::GetStyle().WindowPadding.x + ImGui::GetFontSize() * 6.4f);
+    ImGui::SetCursorPosX(ImGui::GetStyle().WindowPadding.x + ImGui::GetFontSize() * 6.8f);
     ImGui::SetNextItemWidth(-1);
 }
 
@@ -174,16 +174,22 @@ void borderControls(StudioContext& context) {
 void sliceControls(StudioContext& context) {
     Scene& scene = context.workspace.view();
     for (std::size_t k = 0; k < 2 && k < scene.slice.axes.size(); ++k) axisControl(context, k);
+    const SliceSpec there = homeOf(scene);
     for (std::size_t k = 0; k < 2 && k < scene.slice.centre.size(); ++k) {
         const char* label = k == 0 ? "centre →" : "centre ↑";
-        if (numberField(context, label, label, scene.slice.centre[k], {.help = helpOf("centre")})) {
+        if (numberField(context, label, label, scene.slice.centre[k],
+                        {.help = helpOf("centre"), .home = there.centre[k]})) {
             scene.slice.centreLow[k] = 0;
             context.touch();
         }
     }
     double height = scene.slice.height;
     if (numberField(context, "height", "height", height,
-                    {.help = helpOf("height"), .low = 1e-12, .high = 10, .logarithmic = true}) &&
+                    {.help = helpOf("height"),
+                     .low = 1e-12,
+                     .high = 10,
+                     .home = there.height,
+                     .logarithmic = true}) &&
         height >= kLeastHeight && height <= kMostHeight) {
         scene.slice.height = height;
         context.touch();
@@ -365,16 +371,16 @@ void drawInspector(StudioContext& context) {
     ImGui::TextUnformatted(shown.formula.data(), shown.formula.data() + shown.formula.size());
     ImGui::PopTextWrapPos();
     explainBy(shown.source);
-    if (ImGui::Button("Gallery …")) context.galleryOpen = true;
+    if (ImGui::Button("Gallery")) context.galleryOpen = true;
     explain("gallery");
     ImGui::SameLine();
-    if (ImGui::Button("Find …")) context.searchOpen = true;
+    if (ImGui::Button("Find")) context.searchOpen = true;
     explain("find");
     ImGui::SameLine();
-    if (ImGui::Button("Open …")) context.chooseFile();
+    if (ImGui::Button("Open")) context.chooseFile();
     explain("open");
     ImGui::SameLine();
-    if (ImGui::Button("Export …")) context.exportOpen = true;
+    if (ImGui::Button("Export")) context.exportOpen = true;
     explain("export dialog");
 
     heading("Parameters");

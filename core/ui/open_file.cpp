@@ -79,6 +79,30 @@ Status takeRoots(StudioContext& context, const std::string& name, const RootList
     return {};
 }
 
+// Views of starting points look at where the mesh is.
+void frame(Scene& scene, const Mesh& mesh) {
+    SliceSpec& slice = scene.slice;
+    if (showsParameters(scene) || mesh.vertices.empty()) return;
+    double most = 0;
+    std::vector<double> centre(slice.axes.size(), 0.0);
+    for (std::size_t k = 0; k < slice.axes.size(); ++k) {
+        if (slice.axes[k].terms.size() != 1) return;
+        const std::optional<NumberRef> number = numberNamed(scene, slice.axes[k].terms[0].first);
+        if (!number || number->kind != NumberKind::state || number->index > 2) return;
+        const auto part = static_cast<std::size_t>(number->index);
+        double low = mesh.vertices[0][part], high = low;
+        for (const auto& vertex : mesh.vertices) {
+            low = std::min(low, vertex[part]);
+            high = std::max(high, vertex[part]);
+        }
+        centre[k] = 0.5 * (low + high);
+        most = std::max(most, high - low);
+    }
+    slice.centre = centre;
+    std::fill(slice.centreLow.begin(), slice.centreLow.end(), 0.0);
+    slice.height = std::clamp(1.6 * most, kLeastHeight, kMostHeight);
+}
+
 Status checkShape(const std::string& name, std::span<const unsigned char> bytes) {
     if (endsWith(name, kMeshes)) return readMesh(bytes, name).status();
     if (endsWith(name, kGrids)) return readGrid(bytes).status();
@@ -103,6 +127,7 @@ Status takeShape(StudioContext& context, const std::string& name,
         scene.assets.clear();
         scene.shape = {};
         scene.shape.source = addAsset(scene, {name, {bytes.begin(), bytes.end()}});
+        if (endsWith(name, kMeshes)) frame(scene, *readMesh(bytes, name));
     }
     context.open(std::move(next));
     const MapInfo& info = mapOf(context.workspace.view()).info;

@@ -6,6 +6,7 @@
 
 #include "io/document.h"
 #include "ui/context.h"
+#include "ui/help.h"
 #include "ui/open_file.h"
 
 namespace versorium {
@@ -152,11 +153,14 @@ void Studio::State::drawNarrow(ImVec2 low, ImVec2 size) {
         const std::string label = (showsParameters(workspace.views[k]) ? "Parameters" : "Points") +
                                   std::string("##") + std::to_string(k);
         if (ImGui::Button(label.c_str(), button)) workspace.focused = static_cast<int>(k);
+        explain("view tab");
     }
     ImGui::SameLine();
     if (ImGui::Button(sheetOpen ? "Close" : "Controls", button)) sheetOpen = !sheetOpen;
+    explain("sheet");
     ImGui::SameLine();
     if (ImGui::Button("Undo", button)) context.undo();
+    explain("undo");
     const float sheet = sheetOpen ? size.y * 0.48f : 0;
     const float status = ImGui::GetFrameHeightWithSpacing();
     drawView(context, workspace.focused, {low.x, low.y + bar + 6},

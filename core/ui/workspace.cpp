@@ -87,6 +87,21 @@ Scene parameterView(const Scene& like) {
     return scene;
 }
 
+SliceSpec homeOf(const Scene& scene) {
+    const SliceSpec there =
+        showsParameters(scene) ? parameterView(scene).slice : dynamicalView(scene).slice;
+    SliceSpec place = scene.slice;
+    if (there.axes == place.axes) {
+        place.centre = there.centre;
+        place.height = there.height;
+    } else {
+        std::fill(place.centre.begin(), place.centre.end(), 0.0);
+        place.height = 4;
+    }
+    std::fill(place.centreLow.begin(), place.centreLow.end(), 0.0);
+    return place;
+}
+
 bool showsParameters(const Scene& scene) {
     for (const SliceAxis& axis : scene.slice.axes)
         for (const auto& [name, weight] : axis.terms)

@@ -45,6 +45,8 @@ Scene dynamicalView(const Scene& like);
 // The plane of the first two numbers among the parameters that are worth varying, started at the
 // first critical point where there is one. A map without two parameters gives a dynamical view.
 Scene parameterView(const Scene& like);
+// The place where a view with these axes begins.
+SliceSpec homeOf(const Scene& scene);
 // True when an axis of the slice is a parameter or a root.
 bool showsParameters(const Scene& scene);
 

@@ -318,5 +318,17 @@ TEST(Help, EveryControlOfTheExportExplainsItself) {
     }
 }
 
+TEST(Help, EveryControlOfTheSearchExplainsItself) {
+    SilentHost host;
+    HeadlessGui gui({600, 500});
+    StudioContext context(host);
+    context.searchOpen = true;
+    const auto dialog = [&] {
+        drawDialogs(context);
+        ImGui::Dummy({1, 480});
+    };
+    expectHelpEverywhere(gui, dialog, "search");
+}
+
 }  // namespace
 }  // namespace versorium
