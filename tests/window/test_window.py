@@ -168,10 +168,10 @@ class Window(unittest.TestCase):
         return run
 
     def tap(self, *keys):
+        """Down and up at once: a key that is held repeats itself."""
         for key in keys:
-            for word in ("keydown", "keyup"):
-                self.hand(word, key)
-                time.sleep(0.15)
+            self.hand("key", key)
+            time.sleep(0.4)
 
     def saved(self):
         """The scene as Ctrl S saves it now."""
