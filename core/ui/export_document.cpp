@@ -19,16 +19,19 @@ Scene sceneOfView(const Workspace& workspace, std::size_t view,
     return scene;
 }
 
-// What the scenes have in common stands once, at the beginning.
+// The map stands once, at the beginning; then what each panel shows.
 std::string captionOf(const std::vector<Scene>& scenes) {
     const MapInfo& info = mapOf(scenes[0]).info;
-    std::string text = "\\bold{" + escapeMarkup(std::string(info.title)) + "}";
+    const std::string title(info.title), formula(info.formula);
+    std::string text = "\\bold{" + escapeMarkup(title) + "}, " + escapeMarkup(formula);
     for (std::size_t k = 0; k < scenes.size(); ++k) {
         std::string sentence = sceneSentence(scenes[k]);
-        const std::string known = std::string(info.title) + ", ";
-        if (sentence.starts_with(known)) sentence = sentence.substr(known.size());
-        text += k == 0 ? ", " : " ";
-        if (scenes.size() > 1) text += std::string("(") + static_cast<char>('a' + k) + ") ";
+        const std::string known = title + ", " + formula;
+        if (sentence.starts_with(known)) sentence = sentence.substr(known.size() + 2);
+        if (scenes.size() > 1)
+            text += std::string(k == 0 ? ". (" : " (") + static_cast<char>('a' + k) + ") ";
+        else
+            text += ": ";
         text += escapeMarkup(sentence);
     }
     return text;
