@@ -23,7 +23,8 @@ Computer::~Computer() {
 void Computer::request(PictureRequest request) {
     {
         const std::lock_guard lock(mutex_);
-        if (computing_ == request.view && job_) job_->cancel();
+        // Whoever looks at a view does not wait for the gallery.
+        if ((computing_ == request.view || computing_ == kThumbnails) && job_) job_->cancel();
         waiting_[static_cast<std::size_t>(request.view)] = std::move(request);
     }
     changed_.notify_all();
@@ -58,7 +59,8 @@ void Computer::work() {
         // Coarse pictures first: every view shows something before one of them is refined.
         std::optional<PictureRequest>* next = nullptr;
         for (auto& one : waiting_)
-            if (one && (!next || cost(*one) < cost(**next))) next = &one;
+            if (one && (!next || (one->view != kThumbnails && cost(*one) < cost(**next))))
+                next = &one;
         PictureRequest request = std::move(**next);
         next->reset();
         computing_ = request.view;
@@ -68,7 +70,10 @@ void Computer::work() {
         PictureAnswer answer = computePicture(renderer_, request, job);
         lock.lock();
         computing_ = -1;
-        if (!job.cancelled()) answers_.push_back(std::move(answer));
+        if (!job.cancelled())
+            answers_.push_back(std::move(answer));
+        else if (request.view == kThumbnails && !waiting_[kThumbnails])
+            waiting_[kThumbnails] = std::move(request);
         job_.reset();
         lock.unlock();
         wake_();

@@ -39,7 +39,7 @@ class Computer {
     std::mutex mutex_;
     std::condition_variable changed_;
     bool stop_ = false;
-    std::array<std::optional<PictureRequest>, kMostViews> waiting_;
+    std::array<std::optional<PictureRequest>, kPictureSlots> waiting_;
     int computing_ = -1;  // the view whose picture is being made
     std::unique_ptr<Job> job_;
     std::vector<PictureAnswer> answers_;

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "computer.h"
+#include "folders.h"
 #include "imgui.h"
 #include "imgui_impl_glfw.h"
 #include "imgui_impl_opengl3.h"
@@ -32,6 +34,9 @@ class WindowHost final : public Host {
 
     double now() const override { return glfwGetTime(); }
     void wake() override { glfwPostEmptyEvent(); }
+    void wakeAfter(double seconds) override { due_ = std::min(due_, now() + seconds); }
+    // How long the window may rest, and forgets it.
+    double rest() { return std::clamp(std::exchange(due_, kNever) - now(), 0.001, kIdle); }
     std::string clipboard() override {
         const char* text = glfwGetClipboardString(window_);
         return text ? text : "";
@@ -44,10 +49,14 @@ class WindowHost final : public Host {
     void dropPicture(int view) override { computer_.drop(view); }
     void startExport(ExportRequest request) override {
         const std::string name = request.name;
+        const bool clipboard = request.toClipboard;
         computer_.startExport(
             std::move(request),
-            [name](std::span<const unsigned char> bytes) -> Expected<std::string> {
-                return save(name, bytes);
+            [name, clipboard](std::span<const unsigned char> bytes) -> Expected<std::string> {
+                Expected<std::string> path = save(name, bytes);
+                // GLFW's clipboard holds texts and nothing else.
+                if (path && clipboard) *path += " (the clipboard of this window takes only text)";
+                return path;
             });
     }
     void cancelExport() override { computer_.cancelExport(); }
@@ -56,6 +65,12 @@ class WindowHost final : public Host {
     Expected<std::string> saveFile(const std::string& name,
                                    std::span<const unsigned char> bytes) override {
         return save(name, bytes);
+    }
+    Expected<Folder> listFolder(const std::string& path) override {
+        return versorium::listFolder(path);
+    }
+    Expected<std::vector<unsigned char>> readFile(const std::string& path) override {
+        return versorium::readFile(path, kOpenBytes);
     }
     std::string publicAddress() const override {
         std::string address = readSetting("public_url");
@@ -79,7 +94,9 @@ class WindowHost final : public Host {
         return path;
     }
 
+    static constexpr double kNever = 1e300;
     GLFWwindow* window_;
+    double due_ = kNever;
     mutable Computer computer_;
     std::string fragment_;
 };
@@ -182,7 +199,7 @@ Status runStudio(const WindowOptions& options) {
             glfwPollEvents();
             settle = std::max(0, settle - 1);
         } else {
-            glfwWaitEventsTimeout(kIdle);
+            glfwWaitEventsTimeout(host.rest());
             settle = kSettleFrames;
         }
         float across = 1, down = 1;

@@ -8,18 +8,20 @@
 
 // clang-format off
 EM_JS(void, page_js_wake, (), { Module.page.wake(); });
+EM_JS(void, page_js_wake_after, (double seconds), { Module.page.wakeAfter(seconds); });
 EM_JS(void, page_js_copy, (const char* text), { Module.page.copy(UTF8ToString(text)); });
 EM_JS(void, page_js_request,
       (int view, double id, const char* scene, int width, int height, int samples), {
     Module.page.request({ view, id, scene: UTF8ToString(scene), width, height, samples });
 });
-EM_JS(void, page_js_export, (const char* document, const char* name), {
-    Module.page.startExport(UTF8ToString(document), UTF8ToString(name));
+EM_JS(void, page_js_export, (const char* document, const char* name, int copy), {
+    Module.page.startExport(UTF8ToString(document), UTF8ToString(name), copy !== 0);
 });
 EM_JS(void, page_js_cancel_export, (), { Module.page.cancelExport(); });
 EM_JS(int, page_js_save, (const char* name, const unsigned char* bytes, int size), {
     return Module.page.save(UTF8ToString(name), HEAPU8.slice(bytes, bytes + size)) ? 1 : 0;
 });
+EM_JS(void, page_js_choose_file, (), { Module.page.chooseFile(); });
 // These return a text that the caller frees.
 EM_JS(char*, page_js_address, (), { return Module.page.give(Module.page.address()); });
 EM_JS(char*, page_js_stored, (const char* name), {
@@ -47,6 +49,7 @@ std::string taken(char* text) {
 
 double PageHost::now() const { return emscripten_get_now() / 1000; }
 void PageHost::wake() { page_js_wake(); }
+void PageHost::wakeAfter(double seconds) { page_js_wake_after(seconds); }
 
 void PageHost::setClipboard(const std::string& text) {
     clipboard_ = text;
@@ -68,7 +71,7 @@ std::optional<PictureAnswer> PageHost::takePicture() {
 void PageHost::startExport(ExportRequest request) {
     exported_.reset();
     progress_ = 0;
-    page_js_export(request.document.c_str(), request.name.c_str());
+    page_js_export(request.document.c_str(), request.name.c_str(), request.toClipboard ? 1 : 0);
 }
 
 void PageHost::cancelExport() {
@@ -91,6 +94,11 @@ Expected<std::string> PageHost::saveFile(const std::string& name,
     if (!page_js_save(name.c_str(), bytes.data(), static_cast<int>(bytes.size())))
         return Status::inputOutput(name + ": the browser did not take the file");
     return name + ", among your downloads";
+}
+
+bool PageHost::chooseFile() {
+    page_js_choose_file();
+    return true;
 }
 
 std::string PageHost::publicAddress() const { return taken(page_js_address()); }

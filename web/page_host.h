@@ -14,6 +14,7 @@ class PageHost : public Host {
   public:
     double now() const override;
     void wake() override;
+    void wakeAfter(double seconds) override;
 
     std::string clipboard() override { return clipboard_; }
     void setClipboard(const std::string& text) override;
@@ -28,6 +29,8 @@ class PageHost : public Host {
 
     Expected<std::string> saveFile(const std::string& name,
                                    std::span<const unsigned char> bytes) override;
+
+    bool chooseFile() override;
 
     std::string publicAddress() const override;
     void setFragment(const std::string& fragment) override;

@@ -56,7 +56,8 @@ EMSCRIPTEN_KEEPALIVE int worker_export(const char* document, const char* name) {
         last = now;
         worker_js_progress(progress);
     };
-    Expected<std::vector<unsigned char>> bytes = computeExport(renderer(), {document, name}, job);
+    Expected<std::vector<unsigned char>> bytes =
+        computeExport(renderer(), {document, name, false}, job);
     result() = {};
     if (bytes)
         result().bytes = std::move(*bytes);

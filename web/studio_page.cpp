@@ -185,6 +185,12 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_fragment(const char* fragment) {
     return kept(page->studio.openFragment(fragment).message());
 }
 
+// Two fingers of a touch screen, in pixels of the canvas; 0 where they are on no view.
+EMSCRIPTEN_KEEPALIVE int page_pinch(float x0, float y0, float x1, float y1, double factor) {
+    page->settle = kSettle;
+    return page->studio.pinch(x0, y0, x1, y1, factor) ? 1 : 0;
+}
+
 EMSCRIPTEN_KEEPALIVE const char* page_fragment() { return kept(page->studio.fragment()); }
 EMSCRIPTEN_KEEPALIVE int page_frames_drawn() { return page->frames; }
 EMSCRIPTEN_KEEPALIVE int page_finished() { return page->studio.finished() ? 1 : 0; }

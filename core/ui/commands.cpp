@@ -4,8 +4,9 @@
 #include <cctype>
 
 #include "imgui.h"
-#include "render/renderer.h"
 #include "ui/context.h"
+#include "ui/help.h"
+#include "ui/keys.h"
 
 namespace versorium {
 namespace {
@@ -31,8 +32,26 @@ bool matches(const std::string& name, const std::string& question) {
 void nextPaletteOf(StudioContext& context) {
     const std::vector<std::string> names = paletteNames();
     std::string& now = context.workspace.view().colour.palette;
+    context.workspace.view().colour.ownPalette = nullptr;
     const auto found = std::find(names.begin(), names.end(), now);
     now = found == names.end() || found + 1 == names.end() ? names.front() : *(found + 1);
+    context.touch();
+}
+
+// Arrows pan; with Shift they nudge the point by a pixel's worth.
+void nudge(StudioContext& context) {
+    const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(key, true) ? 1 : 0; };
+    const int right = pressed(ImGuiKey_RightArrow) - pressed(ImGuiKey_LeftArrow);
+    const int up = pressed(ImGuiKey_UpArrow) - pressed(ImGuiKey_DownArrow);
+    if (right == 0 && up == 0) return;
+    const bool shift = ImGui::GetIO().KeyShift;
+    if (!shift) return context.pan(context.workspace.focused, 0.1 * right, 0.1 * up);
+    const auto view = static_cast<std::size_t>(context.workspace.focused);
+    const ViewState& state = context.views[view];
+    const double pixel =
+        context.workspace.view().slice.height / std::max(1.0f, state.high.y - state.low.y);
+    const auto marker = markerOf(context.workspace, view);
+    moveMarker(context.workspace, view, marker[0] + right * pixel, marker[1] + up * pixel);
     context.touch();
 }
 
@@ -45,7 +64,12 @@ std::vector<Command> commandsOf(StudioContext& context) {
         {"Undo", "Ctrl Z", [c] { c->undo(); }},
         {"Redo", "Shift Ctrl Z", [c] { c->redo(); }},
         {"Find a map, a preset or a command", "Ctrl K", [c] { c->searchOpen = true; }},
-        {"Export the marked view as a PNG", "Ctrl E", [c] { c->exportOpen = true; }},
+        {"Open a scene, a picture, a mesh, an image or a palette", "Ctrl O",
+         [c] { c->chooseFile(); }},
+        {"Open what is on the clipboard", "Ctrl V", [c] { c->paste(); }},
+        {"Presets and recent scenes as pictures", "Ctrl G", [c] { c->galleryOpen = true; }},
+        {"Export a picture or a plate", "Ctrl E", [c] { c->exportOpen = true; }},
+        {"Copy the marked view as an image", "Ctrl I", [c] { c->copyImage(); }},
         {"Copy a link to what is shown", "Ctrl L", [c] { c->copyLink(); }},
         {"Save the scene as a file", "Ctrl S", [c] { c->saveScene(); }},
         {"Home", "Home", [c, focused] { c->home(focused()); }},
@@ -54,12 +78,12 @@ std::vector<Command> commandsOf(StudioContext& context) {
         {"Zoom in", "+",
          [c, focused] {
              const auto& centre = c->workspace.view().slice.centre;
-             c->zoom(focused(), 0.8, centre[0], centre.size() > 1 ? centre[1] : 0);
+             c->zoom(focused(), 0.8, centre[0], centre.size() > 1 ? centre[1] : 0, true);
          }},
         {"Zoom out", "-",
          [c, focused] {
              const auto& centre = c->workspace.view().slice.centre;
-             c->zoom(focused(), 1.25, centre[0], centre.size() > 1 ? centre[1] : 0);
+             c->zoom(focused(), 1.25, centre[0], centre.size() > 1 ? centre[1] : 0, true);
          }},
         {"Fill the window with the marked view, or not", "F",
          [c] {
@@ -69,20 +93,20 @@ std::vector<Command> commandsOf(StudioContext& context) {
         {"One view", "", [c] { setViewCount(c->workspace, 1), c->touch(); }},
         {"Two views", "", [c] { setViewCount(c->workspace, 2), c->touch(); }},
         {"Four views", "", [c] { setViewCount(c->workspace, 4), c->touch(); }},
-        {"One step more of the orbit", ".",
+        {"One step on along the orbit", ".", [c] { c->stepOrbit(1); }},
+        {"One step back along the orbit", ",", [c] { c->stepOrbit(-1); }},
+        {"Arrows from points x to f(x), or none", "A",
          [c] {
-             c->workspace.orbitSteps = std::min(1000, c->workspace.orbitSteps + 1);
+             c->workspace.arrows = !c->workspace.arrows;
              c->touch();
          }},
-        {"One step less of the orbit", ",",
-         [c] {
-             c->workspace.orbitSteps = std::max(0, c->workspace.orbitSteps - 1);
-             c->touch();
-         }},
+        {"The orbit as a time series", "", [c] { c->strip = StudioContext::Strip::series; }},
+        {"The orbit as a web, where the map has a real line", "",
+         [c] { c->strip = StudioContext::Strip::web; }},
         {"Play or pause the animation", "Space",
          [c] {
              if (c->animation.number.empty())
-                 c->say("Choose a number first: the triangle beside a parameter");
+                 c->say("Choose a number first: the triangle beside it");
              else
                  c->animation.running = !c->animation.running;
              c->host.wake();
@@ -108,52 +132,45 @@ std::vector<Command> commandsOf(StudioContext& context) {
 }
 
 void handleKeys(StudioContext& context) {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantTextInput) return;
-    const bool command = io.KeyCtrl || io.KeySuper;
+    if (ImGui::GetIO().WantTextInput) return;
     const auto run = [&](const char* keys) {
         for (const Command& entry : commandsOf(context))
             if (entry.keys == keys) return entry.run();
     };
-    const auto pressed = [](ImGuiKey key, bool repeat = false) {
-        return ImGui::IsKeyPressed(key, repeat);
+    // With the command key, Ctrl or on Apple's machines ⌘, or without it.
+    const auto pressed = [](ImGuiKey key, bool command, bool repeat = false) {
+        return ImGui::IsKeyPressed(key, repeat) &&
+               ((modifiersOf(key) & (ImGuiMod_Ctrl | ImGuiMod_Super)) != 0) == command;
     };
-    if (command) {
-        if (pressed(ImGuiKey_Z, true)) run(io.KeyShift ? "Shift Ctrl Z" : "Ctrl Z");
-        if (pressed(ImGuiKey_Y, true)) run("Shift Ctrl Z");
-        if (pressed(ImGuiKey_K)) run("Ctrl K");
-        if (pressed(ImGuiKey_E)) run("Ctrl E");
-        if (pressed(ImGuiKey_L)) run("Ctrl L");
-        if (pressed(ImGuiKey_S)) run("Ctrl S");
-        return;
-    }
-    if (context.searchOpen || context.exportOpen) return;
-    if (pressed(ImGuiKey_Home)) run("Home");
-    if (pressed(ImGuiKey_Backspace)) run(io.KeyShift ? "Shift Backspace" : "Backspace");
-    if (pressed(ImGuiKey_F)) run("F");
-    if (pressed(ImGuiKey_P)) run("P");
-    if (pressed(ImGuiKey_T)) run("T");
-    if (pressed(ImGuiKey_G)) run("G");
-    if (pressed(ImGuiKey_Space)) run("Space");
-    if (pressed(ImGuiKey_Period, true)) run(".");
-    if (pressed(ImGuiKey_Comma, true)) run(",");
-    if (pressed(ImGuiKey_Equal, true) || pressed(ImGuiKey_KeypadAdd, true)) run("+");
-    if (pressed(ImGuiKey_Minus, true) || pressed(ImGuiKey_KeypadSubtract, true)) run("-");
-    if (pressed(ImGuiKey_Slash) && io.KeyShift) run("?");
+    const auto shifted = [](ImGuiKey key) { return (modifiersOf(key) & ImGuiMod_Shift) != 0; };
+    if (pressed(ImGuiKey_Z, true, true)) run(shifted(ImGuiKey_Z) ? "Shift Ctrl Z" : "Ctrl Z");
+    if (pressed(ImGuiKey_Y, true, true)) run("Shift Ctrl Z");
+    constexpr std::pair<ImGuiKey, const char*> commands[] = {
+        {ImGuiKey_K, "Ctrl K"}, {ImGuiKey_G, "Ctrl G"}, {ImGuiKey_E, "Ctrl E"},
+        {ImGuiKey_I, "Ctrl I"}, {ImGuiKey_L, "Ctrl L"}, {ImGuiKey_O, "Ctrl O"},
+        {ImGuiKey_V, "Ctrl V"}, {ImGuiKey_S, "Ctrl S"}};
+    for (const auto& [key, name] : commands)
+        if (pressed(key, true)) run(name);
+    if (context.dialogOpen()) return;
+    if (pressed(ImGuiKey_Home, false)) run("Home");
+    if (pressed(ImGuiKey_Backspace, false))
+        run(shifted(ImGuiKey_Backspace) ? "Shift Backspace" : "Backspace");
+    if (pressed(ImGuiKey_A, false)) run("A");
+    if (pressed(ImGuiKey_F, false)) run("F");
+    if (pressed(ImGuiKey_G, false)) run("G");
+    if (pressed(ImGuiKey_P, false)) run("P");
+    if (pressed(ImGuiKey_T, false)) run("T");
+    if (pressed(ImGuiKey_Space, false)) run("Space");
+    if (pressed(ImGuiKey_Period, false, true)) run(".");
+    if (pressed(ImGuiKey_Comma, false, true)) run(",");
+    if (pressed(ImGuiKey_Equal, false, true) || pressed(ImGuiKey_KeypadAdd, false, true)) run("+");
+    if (pressed(ImGuiKey_Minus, false, true) || pressed(ImGuiKey_KeypadSubtract, false, true))
+        run("-");
+    if (pressed(ImGuiKey_Slash, false) && shifted(ImGuiKey_Slash)) run("?");
     for (int k = 0; k < kMostViews; ++k)
-        if (pressed(static_cast<ImGuiKey>(ImGuiKey_1 + k))) run(std::to_string(k + 1).c_str());
-    // Arrows pan; with Shift they nudge the point by a pixel's worth.
-    const int right = pressed(ImGuiKey_RightArrow, true) - pressed(ImGuiKey_LeftArrow, true);
-    const int up = pressed(ImGuiKey_UpArrow, true) - pressed(ImGuiKey_DownArrow, true);
-    if (right == 0 && up == 0) return;
-    if (!io.KeyShift) return context.pan(context.workspace.focused, 0.1 * right, 0.1 * up);
-    const auto view = static_cast<std::size_t>(context.workspace.focused);
-    const ViewState& state = context.views[view];
-    const double pixel =
-        context.workspace.view().slice.height / std::max(1.0f, state.high.y - state.low.y);
-    const auto marker = markerOf(context.workspace, view);
-    moveMarker(context.workspace, view, marker[0] + right * pixel, marker[1] + up * pixel);
-    context.touch();
+        if (pressed(static_cast<ImGuiKey>(ImGuiKey_1 + k), false))
+            run(std::to_string(k + 1).c_str());
+    nudge(context);
 }
 
 namespace {
@@ -175,12 +192,19 @@ void drawSearch(StudioContext& context) {
     const bool enter =
         ImGui::InputTextWithHint("##question", "a map, a preset, a command", question,
                                  sizeof question, ImGuiInputTextFlags_EnterReturnsTrue);
+    explain("question");
     std::vector<Command> entries;
     for (const std::string& name : presetNames())
         entries.push_back({"Preset: " + name, "", [&context, name] {
                                Expected<Scene> scene = presetNamed(name);
                                if (!scene) return context.report(scene.status());
                                context.open(workspaceOf(*scene));
+                           }});
+    for (const Gallery::Entry& entry : context.gallery.recent())
+        entries.push_back({"Recent: " + entry.title, "", [&context, link = entry.link] {
+                               Expected<Workspace> workspace = workspaceFromLink(link);
+                               if (!workspace) return context.report(workspace.status());
+                               context.open(std::move(*workspace));
                            }});
     for (const MapKernels& map : catalogue()) {
         const std::string name(map.info.name);
@@ -193,7 +217,10 @@ void drawSearch(StudioContext& context) {
     ImGui::BeginChild("entries");
     for (const Command& entry : entries) {
         if (!matches(entry.name, question)) continue;
+        ImGui::PushID(&entry);
         const bool picked = ImGui::Selectable(entry.name.c_str(), first && question[0] != 0);
+        explain("found");
+        ImGui::PopID();
         if (!entry.keys.empty()) {
             ImGui::SameLine(ImGui::GetContentRegionAvail().x - ImGui::GetFontSize() * 6);
             ImGui::TextDisabled("%s", entry.keys.c_str());
@@ -238,40 +265,12 @@ void drawKeys(StudioContext& context) {
     ImGui::End();
 }
 
-void drawExport(StudioContext& context) {
-    if (context.exportOpen && !ImGui::IsPopupOpen("Export")) ImGui::OpenPopup("Export");
-    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
-    if (!ImGui::BeginPopupModal("Export", &context.exportOpen, ImGuiWindowFlags_AlwaysAutoResize))
-        return;
-    const double progress = context.host.exportProgress();
-    ImGui::TextUnformatted(
-        "A PNG of the marked view that carries its scene: it can be opened again.");
-    ImGui::BeginDisabled(progress >= 0);
-    ImGui::InputInt("pixels wide", &context.exportWidth, 100, 1000);
-    context.exportWidth = std::clamp(context.exportWidth, 16, kMostPixels);
-    int samples = context.workspace.view().samples;
-    if (ImGui::SliderInt("samples along a pixel", &samples, 1, kMostSamples)) {
-        context.workspace.view().samples = samples;
-        context.touch();
-    }
-    if (ImGui::Button("Export")) context.startExport();
-    ImGui::EndDisabled();
-    ImGui::SameLine();
-    if (progress >= 0) {
-        ImGui::ProgressBar(static_cast<float>(progress), {ImGui::GetFontSize() * 10, 0});
-        ImGui::SameLine();
-        if (ImGui::Button("Cancel")) context.host.cancelExport();
-    } else if (ImGui::Button("Close") || ImGui::IsKeyPressed(ImGuiKey_Escape)) {
-        context.exportOpen = false;
-        ImGui::CloseCurrentPopup();
-    }
-    ImGui::EndPopup();
-}
-
 }  // namespace
 
 void drawDialogs(StudioContext& context) {
     drawSearch(context);
+    drawGallery(context);
+    drawOpenFile(context);
     drawKeys(context);
     drawExport(context);
 }

@@ -6,12 +6,14 @@
 
 #include "io/document.h"
 #include "render/picture.h"
+#include "ui/open_file.h"
+#include "ui/view_plane.h"
 
 namespace versorium {
 namespace {
 
 constexpr std::array<const char*, 3> kRendererWords = {"automatic", "graphics", "processor"};
-constexpr double kLeastHeight = 1e-13, kMostHeight = 1e6;
+constexpr double kPinchPause = 0.5;  // seconds
 
 Workspace firstWorkspace() {
     Expected<Scene> scene = presetNamed("mandelbrot");
@@ -30,12 +32,9 @@ bool isQuick(const Scene& scene) {
            std::find(meshes.begin(), meshes.end(), scene.shape.source) == meshes.end();
 }
 
-std::string documentText(const Scene& scene, Size size) {
+std::string documentText(const Scene& scene) {
     Document document;
     document.body = withoutAssets(sceneToJson(scene), document.assets);
-    if (size.width > 0)
-        document.render =
-            Json{{"width", size.width}, {"height", size.height}, {"flavour", "exact"}};
     return printJson(documentToJson(document));
 }
 
@@ -46,6 +45,7 @@ StudioContext::StudioContext(Host& shell)
     const std::string stored = host.stored("renderer");
     for (std::size_t k = 0; k < kRendererWords.size(); ++k)
         if (stored == kRendererWords[k]) renderer = static_cast<RendererChoice>(k);
+    gallery.load(host);
 }
 
 void StudioContext::touch() {
@@ -55,11 +55,18 @@ void StudioContext::touch() {
     host.wake();
 }
 
+void StudioContext::record() {
+    history.record(workspace);
+    gallery.remember(host, workspace);
+    touched = false;
+}
+
 void StudioContext::say(std::string text) {
     notice = std::move(text);
     noticeAt = host.now();
     host.announce(notice);
     host.wake();
+    host.wakeAfter(kNoticeFor);
 }
 
 void StudioContext::report(const Status& status) {
@@ -70,6 +77,7 @@ void StudioContext::undo() {
     if (touched) history.record(workspace);
     if (!history.canUndo()) return say("There is nothing to undo");
     workspace = history.undo();
+    for (ViewState& view : views) view.glide.reset();
     ++revision;
     touched = false;
     host.wake();
@@ -78,16 +86,18 @@ void StudioContext::undo() {
 void StudioContext::redo() {
     if (!history.canRedo()) return say("There is nothing to redo");
     workspace = history.redo();
+    for (ViewState& view : views) view.glide.reset();
     ++revision;
     touched = false;
     host.wake();
 }
 
 void StudioContext::open(Workspace opened) {
-    if (touched) history.record(workspace);
+    if (touched) record();
+    gallery.beginAnew();
     workspace = std::move(opened);
     animation.running = false;
-    for (ViewState& view : views) view.visits = {};
+    for (ViewState& view : views) view.visits = {}, view.glide.reset();
     welcome = false;
     touch();
 }
@@ -117,37 +127,80 @@ void StudioContext::revisit(int view, int step) {
     const auto target = static_cast<long long>(visits.at) + step;
     if (target < 0 || target >= static_cast<long long>(visits.places.size())) return;
     visits.at = static_cast<std::size_t>(target);
-    workspace.views[static_cast<std::size_t>(view)].slice = visits.places[visits.at];
-    touch();
+    glideTo(view, visits.places[visits.at]);
 }
 
 void StudioContext::home(int view) {
     visit(view);
+    glideTo(view, homeOf(workspace.views[static_cast<std::size_t>(view)]));
+}
+
+void StudioContext::zoom(int view, double factor, double u, double v, bool eased) {
+    ViewState& state = views[static_cast<std::size_t>(view)];
     Scene& scene = workspace.views[static_cast<std::size_t>(view)];
-    const Scene there = showsParameters(scene) ? parameterView(scene) : dynamicalView(scene);
-    if (there.slice.axes == scene.slice.axes) {
-        scene.slice.centre = there.slice.centre;
-        scene.slice.height = there.slice.height;
-    } else {
-        std::fill(scene.slice.centre.begin(), scene.slice.centre.end(), 0.0);
-        scene.slice.height = 4;
-    }
-    std::fill(scene.slice.centreLow.begin(), scene.slice.centreLow.end(), 0.0);
+    const SliceSpec place = zoomed(state.glide ? state.glide->to : scene.slice, factor, u, v);
+    const double size = std::max({1.0, std::abs(u), std::abs(v)});
+    if (factor < 1 && place.height < 2e-13 * size)
+        return say("This is as deep as double precision goes: zoom out with -, or Home");
+    if (eased) return glideTo(view, place);
+    state.glide.reset();
+    scene.slice = place;
     touch();
 }
 
-void StudioContext::zoom(int view, double factor, double u, double v) {
+void StudioContext::glideTo(int view, SliceSpec place) {
+    ViewState& state = views[static_cast<std::size_t>(view)];
     Scene& scene = workspace.views[static_cast<std::size_t>(view)];
-    const double height = std::clamp(scene.slice.height * factor, kLeastHeight, kMostHeight);
-    const double size = std::max({1.0, std::abs(u), std::abs(v)});
-    if (factor < 1 && height < 2e-13 * size)
-        return say("This is as deep as double precision goes: zoom out with -, or Home");
-    const double real = height / scene.slice.height;
-    const double at[2] = {u, v};
-    for (std::size_t k = 0; k < 2 && k < scene.slice.centre.size(); ++k)
-        scene.slice.centre[k] = at[k] + (scene.slice.centre[k] - at[k]) * real;
-    scene.slice.height = height;
+    state.glide.reset();
+    if (host.reducedMotion())
+        scene.slice = std::move(place);
+    else
+        state.glide = Glide{scene.slice, std::move(place), host.now()};
     touch();
+}
+
+bool StudioContext::glide() {
+    for (std::size_t k = 0; k < workspace.views.size(); ++k) {
+        std::optional<Glide>& way = views[k].glide;
+        if (!way) continue;
+        const double part = (host.now() - way->begin) / kGlideSeconds;
+        workspace.views[k].slice = between(way->from, way->to, part);
+        if (part >= 1) way.reset();
+        touch();
+    }
+    return gliding();
+}
+
+bool StudioContext::gliding() const {
+    return std::any_of(views.begin(), views.end(),
+                       [](const ViewState& view) { return view.glide.has_value(); });
+}
+
+bool StudioContext::pinch(ImVec2 from, ImVec2 to, double factor) {
+    if (!(factor > 0) || !std::isfinite(factor) || dialogOpen()) return false;
+    for (std::size_t k = 0; k < workspace.views.size(); ++k) {
+        ViewState& state = views[k];
+        const bool shown = !workspace.maximised || static_cast<int>(k) == workspace.focused;
+        if (!shown || from.x < state.low.x || from.x >= state.high.x || from.y < state.low.y ||
+            from.y >= state.high.y)
+            continue;
+        // One place to come back to for all that two fingers do without a pause.
+        if (host.now() - state.pinchedAt > kPinchPause) visit(static_cast<int>(k));
+        state.pinchedAt = host.now();
+        state.drag = ViewState::Drag::pinch;
+        workspace.focused = static_cast<int>(k);
+        Scene& scene = workspace.views[k];
+        const Size size{static_cast<int>(state.high.x - state.low.x),
+                        static_cast<int>(state.high.y - state.low.y)};
+        const ViewPlane before{state.low, state.high, viewportOf(scene, size)};
+        scene.slice.centre[0] -= (to.x - from.x) / before.unit();
+        if (scene.slice.centre.size() > 1) scene.slice.centre[1] += (to.y - from.y) / before.unit();
+        const ViewPlane plane{state.low, state.high, viewportOf(scene, size)};
+        zoom(static_cast<int>(k), 1 / factor, plane.u(to.x), plane.v(to.y));
+        touch();
+        return true;
+    }
+    return false;
 }
 
 void StudioContext::pan(int view, double widths, double heights) {
@@ -155,6 +208,7 @@ void StudioContext::pan(int view, double widths, double heights) {
     const ViewState& state = views[static_cast<std::size_t>(view)];
     const double tall = std::max(1.0f, state.high.y - state.low.y);
     const double wide = std::max(1.0f, state.high.x - state.low.x);
+    views[static_cast<std::size_t>(view)].glide.reset();
     scene.slice.centre[0] += widths * scene.slice.height * wide / tall;
     if (scene.slice.centre.size() > 1) scene.slice.centre[1] += heights * scene.slice.height;
     touch();
@@ -183,6 +237,14 @@ GpuUse StudioContext::gpuUse() {
     return {&gpu, {}};
 }
 
+void StudioContext::stepOrbit(int steps) {
+    workspace.orbitAt = std::clamp(workspace.orbitAt + steps, 0, kMostOrbitSteps);
+    workspace.orbitSteps = std::max(workspace.orbitSteps, workspace.orbitAt);
+    touch();
+}
+
+void StudioContext::paste() { report(openText(*this, host.clipboard())); }
+
 void StudioContext::copyLink() {
     Expected<std::string> link = workspaceToLink(workspace);
     if (!link) return report(link.status());
@@ -196,7 +258,7 @@ void StudioContext::copyLink() {
 }
 
 void StudioContext::saveScene() {
-    const std::string text = documentText(workspace.view(), {0, 0});
+    const std::string text = documentText(workspace.view());
     Expected<std::string> path =
         host.saveFile(workspace.view().map + ".json",
                       {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
@@ -204,16 +266,31 @@ void StudioContext::saveScene() {
     say("Saved: " + *path);
 }
 
-void StudioContext::startExport() {
-    const ViewState& state = views[static_cast<std::size_t>(workspace.focused)];
+void StudioContext::startExport() { beginExport(exporting, false); }
+
+void StudioContext::copyImage() {
+    ExportOptions options = exporting;
+    options.allViews = options.allViews && exportOpen;
+    options.plate = options.plate && exportOpen;
+    beginExport(options, true);
+}
+
+void StudioContext::beginExport(const ExportOptions& options, bool toClipboard) {
+    std::vector<double> aspects;
+    for (std::size_t k = 0; k < workspace.views.size(); ++k)
+        aspects.push_back(aspect(static_cast<int>(k)));
+    const Expected<Document> document = exportDocument(workspace, aspects, options);
+    if (!document) return report(document.status());
+    copying = toClipboard;
+    const std::string name = workspace.view().map + (options.plate ? "-plate.png" : ".png");
+    host.startExport({printJson(documentToJson(*document)), name, toClipboard});
+    host.wake();
+}
+
+double StudioContext::aspect(int view) const {
+    const ViewState& state = views[static_cast<std::size_t>(view)];
     const double tall = std::max(1.0f, state.high.y - state.low.y);
-    const double wide = std::max(1.0f, state.high.x - state.low.x);
-    const Size size{exportWidth,
-                    std::max(1, static_cast<int>(std::lround(exportWidth * tall / wide)))};
-    Scene scene = workspace.view();
-    scene.aspect = wide / tall;
-    if (Status status = checkSize(scene, size); !status.ok()) return report(status);
-    host.startExport({documentText(scene, size), scene.map + ".png"});
+    return std::max(1.0f, state.high.x - state.low.x) / tall;
 }
 
 const OrbitProgram* StudioContext::bind(Bound& bound, const Scene& scene) {
@@ -236,6 +313,18 @@ const OrbitProgram* StudioContext::program(int view) {
 
 const OrbitProgram* StudioContext::orbitProgram() {
     return bind(bound_[kMostViews], orbitScene(workspace));
+}
+
+const std::vector<std::vector<double>>& StudioContext::orbit() {
+    if (orbitRevision_ == revision) return orbit_;
+    orbitRevision_ = revision;
+    orbit_.clear();
+    if (const OrbitProgram* bound = orbitProgram()) {
+        const Scene scene = orbitScene(workspace);
+        const double start[3] = {scene.slice.centre[0], scene.slice.centre[1], 0};
+        orbit_ = orbitOf(*bound, start, workspace.orbitSteps);
+    }
+    return orbit_;
 }
 
 }  // namespace versorium

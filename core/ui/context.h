@@ -13,12 +13,17 @@
 #include "fields/evaluate.h"
 #include "render/bind.h"
 #include "render/viewport.h"
+#include "ui/export_document.h"
+#include "ui/gallery.h"
 #include "ui/host.h"
 #include "ui/live_picture.h"
+#include "ui/motion.h"
 #include "ui/theme.h"
 #include "ui/workspace.h"
 
 namespace versorium {
+
+inline constexpr double kNoticeFor = 6;  // seconds that a notice stays
 
 // The places that a view has shown, for back and forward.
 struct Visits {
@@ -31,15 +36,26 @@ struct ViewState {
     std::string text, orbits;  // LiveScene's, made anew when the revision is
     std::uint64_t revision = 0;
     Visits visits;
-    ImVec2 low{}, high{};  // its rectangle in the window
-    enum class Drag { none, pan, marker, box } drag = Drag::none;
+    std::optional<Glide> glide;  // on its way; the workspace holds where it is now
+    ImVec2 low{}, high{};        // its rectangle in the window
+    enum class Drag { none, pan, marker, box, pinch } drag = Drag::none;
     ImVec2 dragFrom{};
+    double pinchedAt = -100;  // when two fingers moved it last
 };
 
 struct Probe {
     int view = -1;
     double u = 0, v = 0;
-    std::string text;
+    std::uint64_t revision = 0;  // of the workspace that it was measured in
+    std::string text;            // for the status line
+    std::vector<std::pair<std::string, std::string>> rows;  // names and values
+};
+
+// The studio's own list of files.
+struct FileList {
+    Folder folder;
+    std::string typed, problem;
+    int chosen = 0;
 };
 
 // Who draws live pictures: automatic is the graphics processor, unless its driver computes in
@@ -63,10 +79,18 @@ struct StudioContext {
     float scale = 1;
     bool fontsChanged = false;
     bool searchOpen = false, keysOpen = false, exportOpen = false, welcome = true;
-    int exportWidth = 1600;
-    std::string notice;  // the last thing that was done or went wrong
+    bool galleryOpen = false, fileOpen = false;
+    FileList files;
+    int galleryAt = 0;  // the entry that the keys have come to: presets first, then recent ones
+    Gallery gallery;
+    ExportOptions exporting;
+    bool copying = false;  // the export goes to the clipboard
+    std::string notice;    // the last thing that was done or went wrong
     double noticeAt = -100;
     Probe probe;
+    enum class Strip { series, web } strip = Strip::series;
+    int paletteStop = -1;  // the chosen stop of an own palette
+    int orbitShown = 0;    // the step that the table has been scrolled to
     // An animated number: it runs between its ends until it is stopped.
     struct Animation {
         std::string number;
@@ -76,6 +100,10 @@ struct StudioContext {
 
     // The workspace has changed.
     void touch();
+    // What was done is a step of the history now.
+    void record();
+    // A dialog stands over the views and takes the keys.
+    bool dialogOpen() const { return searchOpen || exportOpen || galleryOpen || fileOpen; }
     void say(std::string text);
     void report(const Status& status);
     void undo();
@@ -85,20 +113,37 @@ struct StudioContext {
     void visit(int view);  // remembers where a view is
     void revisit(int view, int step);
     void home(int view);
-    void zoom(int view, double factor, double u, double v);  // the point (u, v) stays where it is
+    // The point (u, v) stays where it is. Eased, unless motion is to be reduced.
+    void zoom(int view, double factor, double u, double v, bool eased = false);
+    void glideTo(int view, SliceSpec place);
+    // Takes all views that are on their way a step further; true while one is.
+    bool glide();
+    bool gliding() const;
+    // Two fingers whose middle went from one place of the window to another while their distance
+    // grew by a factor. Whatever a finger had begun to drag is let go. False where no view is.
+    bool pinch(ImVec2 from, ImVec2 to, double factor);
     void pan(int view, double widths, double heights);
     void choose(RendererChoice choice);
     void nextRenderer();
     GpuUse gpuUse();
+    void stepOrbit(int steps);  // the orbit grows where it ends
+    void chooseFile();
+    void paste();  // opens what is on the clipboard
     void copyLink();
     void saveScene();
     void startExport();
+    void copyImage();
 
+    // Width over height of a view in the window.
+    double aspect(int view) const;
     // Where starting points are measured; null while a shape needs a grid that takes time to make.
     const OrbitProgram* program(int view);
     const OrbitProgram* orbitProgram();
+    // z_0 … z_orbitSteps of the workspace's point; empty where there is no program.
+    const std::vector<std::vector<double>>& orbit();
 
   private:
+    void beginExport(const ExportOptions& options, bool toClipboard);
     struct Bound {
         std::uint64_t revision = 0;
         std::optional<OrbitProgram> program;
@@ -106,6 +151,8 @@ struct StudioContext {
     const OrbitProgram* bind(Bound& bound, const Scene& scene);
     Binder binder_;
     std::array<Bound, kMostViews + 1> bound_;
+    std::uint64_t orbitRevision_ = 0;
+    std::vector<std::vector<double>> orbit_;
 };
 
 // A command with its name, keys and what it does: the list behind Ctrl+K and `?`.
@@ -117,8 +164,15 @@ std::vector<Command> commandsOf(StudioContext& context);
 
 // Panels. Rectangles are in ImGui's coordinates.
 void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high);
+void drawProbe(StudioContext& context);
+void drawPaletteEditor(StudioContext& context);
 void drawInspector(StudioContext& context);
 void drawOrbitStrip(StudioContext& context);
+void drawExport(StudioContext& context);
+// Says how an export ended, once it has.
+void takeExport(StudioContext& context);
+void drawOpenFile(StudioContext& context);
+void drawGallery(StudioContext& context);
 void drawDialogs(StudioContext& context);
 void handleKeys(StudioContext& context);
 

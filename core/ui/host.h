@@ -14,9 +14,14 @@
 
 namespace versorium {
 
+// A place of its own among views, for the small pictures of the gallery. They are made when nothing
+// else is waiting.
+inline constexpr int kThumbnails = 4;
+inline constexpr int kPictureSlots = 5;
+
 // A picture of a scene, asked for by a view. A new request for the same view cancels the old one.
 struct PictureRequest {
-    int view = 0;          // 0 … kMostViews - 1
+    int view = 0;          // 0 … kMostViews - 1, or kThumbnails
     std::uint64_t id = 0;  // comes back with the answer
     std::string scene;     // JSON: the studio and what computes may stand in different processes
     Size size{0, 0};       // in pixels
@@ -32,10 +37,20 @@ struct PictureAnswer {
     double seconds = 0;               // that it took
 };
 
-// A file to be made: a PNG that carries its scene (render/picture.h), as the command line makes it.
+// A file to be made: a PNG that carries its scene or its plate, as the command line makes it.
 struct ExportRequest {
-    std::string document;  // JSON of a Document
-    std::string name;      // proposed file name
+    std::string document;      // JSON of a Document
+    std::string name;          // proposed file name
+    bool toClipboard = false;  // as an image; where that cannot be, as a file
+};
+
+struct FolderEntry {
+    std::string name;
+    bool isFolder = false;
+};
+struct Folder {
+    std::string path;  // absolute
+    std::vector<FolderEntry> entries;
 };
 
 class Host {
@@ -46,6 +61,8 @@ class Host {
     virtual double now() const = 0;
     // Asks for another frame, even where nothing else happens.
     virtual void wake() = 0;
+    // Asks for a frame in so many seconds: for what ends by itself. An earlier one does as well.
+    virtual void wakeAfter(double) { wake(); }
 
     virtual std::string clipboard() = 0;
     virtual void setClipboard(const std::string& text) = 0;
@@ -56,7 +73,8 @@ class Host {
     // Nobody waits for this view's picture any more.
     virtual void dropPicture(int /*view*/) {}
 
-    // One export at a time; takeExport gives its outcome once: where the file is, or what failed.
+    // One export at a time; takeExport gives its outcome once: where the picture is, such as the
+    // file's path or "the clipboard", or what failed; ErrorKind::cancelled after cancelExport.
     virtual void startExport(ExportRequest request) = 0;
     virtual void cancelExport() = 0;
     virtual double exportProgress() const = 0;  // 0 … 1; negative while there is none
@@ -65,6 +83,17 @@ class Host {
     // Gives the user a file of these bytes; says where it is.
     virtual Expected<std::string> saveFile(const std::string& name,
                                            std::span<const unsigned char> bytes) = 0;
+
+    // Lets the user choose a file by the host's own dialog; it comes through Studio::openBytes.
+    // False where there is none: the studio then shows folders itself.
+    virtual bool chooseFile() { return false; }
+    // ".." first, then folders and files by name; an empty path is where the user begins.
+    virtual Expected<Folder> listFolder(const std::string&) {
+        return Status::usage("there are no folders here");
+    }
+    virtual Expected<std::vector<unsigned char>> readFile(const std::string& path) {
+        return Status::usage(path + ": files are not read by name here");
+    }
 
     // What links begin with: the page's address, or the configured one; empty where there is none.
     virtual std::string publicAddress() const = 0;

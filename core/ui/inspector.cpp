@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/colouring.h"
 #include "ui/context.h"
+#include "ui/help.h"
+#include "ui/number_field.h"
 
 namespace versorium {
 namespace {
-
-void help(std::string_view text) {
-    if (!text.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_DelayNormal))
-        ImGui::SetTooltip("%.*s", static_cast<int>(text.size()), text.data());
-}
 
 void heading(const char* text) {
     ImGui::Spacing();
@@ -19,12 +17,23 @@ void heading(const char* text) {
     ImGui::Separator();
 }
 
+void labelled(const char* label) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(ImGui::GetStyle().WindowPadding.x + ImGui::GetFontSize() * 6.8f);
+    ImGui::SetNextItemWidth(-1);
+}
+
 // A choice of words; true when another one was taken.
-bool choose(const char* label, std::string& value, const std::vector<std::string>& words,
-            const char* empty = "") {
+bool choose(const char* label, const char* control, std::string& value,
+            const std::vector<std::string>& words, const char* empty = "") {
     bool changed = false;
-    ImGui::SetNextItemWidth(-ImGui::GetFontSize() * 6.5f);
-    if (ImGui::BeginCombo(label, value.empty() ? empty : value.c_str())) {
+    labelled(label);
+    const std::string id = std::string("##") + label;
+    const bool open = ImGui::BeginCombo(id.c_str(), value.empty() ? empty : value.c_str());
+    if (!open) explain(control);
+    if (open) {
         for (const std::string& word : words) {
             const bool now = word == value;
             if (ImGui::Selectable(word.empty() ? empty : word.c_str(), now) && !now) {
@@ -56,7 +65,7 @@ bool pad(const char* id, double& x, double& y, double low, double high) {
     drawMark(list, {corner.x + across(x), end.y - across(y)}, 6, MarkShape::ring,
              ImGui::GetColorU32(ImGuiCol_CheckMark));
     list.PopClipRect();
-    help("Drag the point: right is the real part, up is i");
+    explain("pad");
     if (!ImGui::IsItemActive()) return false;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const auto value = [&](float part) {
@@ -67,37 +76,6 @@ bool pad(const char* id, double& x, double& y, double low, double high) {
     x = u;
     y = v;
     return changed;
-}
-
-bool number(const char* label, double& value, double low, double high, bool whole = false) {
-    const double step = whole ? 1 : (high - low) / 4000;
-    ImGui::SetNextItemWidth(-ImGui::GetFontSize() * 6.5f);
-    // Beyond the range by typing: Ctrl and a click, or a double click.
-    const bool changed =
-        ImGui::DragScalar(label, ImGuiDataType_Double, &value, static_cast<float>(step), nullptr,
-                          nullptr, whole ? "%.0f" : "%.6g");
-    if (!std::isfinite(value)) value = 0;
-    if (whole) value = std::round(value);
-    return changed;
-}
-
-void animateButton(StudioContext& context, const std::string& name, double low, double high) {
-    StudioContext::Animation& animation = context.animation;
-    ImGui::SameLine();
-    const bool mine = animation.running && animation.number == name;
-    ImGui::PushID(name.c_str());
-    if (ImGui::SmallButton(mine ? "■" : "▲")) {
-        if (mine) {
-            animation.running = false;
-        } else {
-            animation = {.number = name, .low = low, .high = high};
-            const double now = sharedNumber(context.workspace, name);
-            animation.phase = std::acos(std::clamp(1 - 2 * (now - low) / (high - low), -1.0, 1.0));
-            animation.running = true;
-        }
-    }
-    help(mine ? "Stop" : "Let this number run to and fro through its range");
-    ImGui::PopID();
 }
 
 void parameters(StudioContext& context) {
@@ -118,20 +96,26 @@ void parameters(StudioContext& context) {
         }
         for (int k = 0; k < width; ++k) {
             const std::string part = parameterComponent(info, component + k);
-            changed |= number(part.c_str(), value[static_cast<std::size_t>(k)], parameter.low,
-                              parameter.high, parameter.kind == ParameterKind::whole);
-            help(parameter.help);
-            if (parameter.kind != ParameterKind::whole)
-                animateButton(context, part, std::max(parameter.low, -2.0),
-                              std::min(parameter.high, 2.0));
+            const bool whole = parameter.kind == ParameterKind::whole;
+            const std::string label = width == 1 ? part : part.substr(part.rfind('.') + 1);
+            const NumberLook look{
+                .help = parameter.help.empty() ? helpOf("parameter") : parameter.help,
+                .low = width >= 2 ? std::max(parameter.low, -2.0) : parameter.low,
+                .high = width >= 2 ? std::min(parameter.high, 2.0) : parameter.high,
+                .home = parameter.value[static_cast<std::size_t>(k)],
+                .whole = whole,
+                .slider = width == 1,
+                .animated = !whole};
+            changed |= numberField(context, part, label, value[static_cast<std::size_t>(k)], look);
         }
-        if (width == 1) ImGui::SameLine();
-        if (ImGui::SmallButton(width == 1 ? "←" : "reset")) {
-            value.assign(parameter.value.begin(), parameter.value.begin() + width);
-            changed = true;
+        if (width >= 2) {
+            if (ImGui::SmallButton("reset")) {
+                value.assign(parameter.value.begin(), parameter.value.begin() + width);
+                changed = true;
+            }
+            explain("reset");
+            ImGui::EndGroup();
         }
-        help("Back to the map's own value");
-        if (width >= 2) ImGui::EndGroup();
         ImGui::PopID();
         if (changed) {
             setSharedParameter(workspace, name, value);
@@ -150,41 +134,72 @@ std::vector<std::string> axisNames(const Scene& scene) {
     return names;
 }
 
+void axisControl(StudioContext& context, std::size_t k) {
+    Scene& scene = context.workspace.view();
+    auto& terms = scene.slice.axes[k].terms;
+    std::string name = terms.size() == 1 ? terms[0].first : "";
+    if (!choose(k == 0 ? "axis →" : "axis ↑", "axis", name, axisNames(scene), "several")) return;
+    const std::size_t other = 1 - k;
+    // The same number on both axes would be a line: the axes change places instead.
+    if (scene.slice.axes.size() > 1 && scene.slice.axes[other].terms.size() == 1 &&
+        scene.slice.axes[other].terms[0].first == name) {
+        std::swap(scene.slice.axes[0], scene.slice.axes[1]);
+        std::swap(scene.slice.centre[0], scene.slice.centre[1]);
+    } else {
+        terms = {{name, 1.0}};
+        scene.slice.centre[k] = sharedNumber(context.workspace, name);
+    }
+    scene.slice.origin.clear();
+    if (!showsParameters(scene)) scene.criticalStart.reset();
+    context.touch();
+}
+
+void borderControls(StudioContext& context) {
+    Scene& scene = context.workspace.view();
+    const double aspect = context.aspect(context.workspace.focused);
+    const char* labels[] = {"left", "right", "bottom", "top"};
+    const std::array<double, 4> borders = bordersOf(scene, aspect);
+    for (int k = 0; k < 4 && k / 2 < static_cast<int>(scene.slice.centre.size()); ++k) {
+        double value = borders[static_cast<std::size_t>(k)];
+        const NumberLook look{.help = helpOf("border"),
+                              .low = value - scene.slice.height,
+                              .high = value + scene.slice.height,
+                              .slider = false};
+        if (numberField(context, labels[k], labels[k], value, look) &&
+            setBorder(scene, k, value, aspect))
+            context.touch();
+    }
+}
+
 void sliceControls(StudioContext& context) {
     Scene& scene = context.workspace.view();
-    const std::vector<std::string> names = axisNames(scene);
-    const char* labels[] = {"axis →", "axis ↑"};
-    for (std::size_t k = 0; k < 2 && k < scene.slice.axes.size(); ++k) {
-        auto& terms = scene.slice.axes[k].terms;
-        std::string name = terms.size() == 1 ? terms[0].first : "";
-        if (choose(labels[k], name, names, "several")) {
-            const std::size_t other = 1 - k;
-            // The same number on both axes would be a line: the axes change places instead.
-            if (scene.slice.axes.size() > 1 && scene.slice.axes[other].terms.size() == 1 &&
-                scene.slice.axes[other].terms[0].first == name) {
-                std::swap(scene.slice.axes[0], scene.slice.axes[1]);
-                std::swap(scene.slice.centre[0], scene.slice.centre[1]);
-            } else {
-                terms = {{name, 1.0}};
-                scene.slice.centre[k] = sharedNumber(context.workspace, name);
-            }
-            scene.slice.origin.clear();
-            if (!showsParameters(scene)) scene.criticalStart.reset();
-            context.touch();
-        }
-        help("Which number runs along this axis of the view");
-    }
-    for (std::size_t k = 0; k < 2 && k < scene.slice.centre.size(); ++k)
-        if (number(k == 0 ? "centre →" : "centre ↑", scene.slice.centre[k], -2, 2)) {
+    for (std::size_t k = 0; k < 2 && k < scene.slice.axes.size(); ++k) axisControl(context, k);
+    const SliceSpec there = homeOf(scene);
+    for (std::size_t k = 0; k < 2 && k < scene.slice.centre.size(); ++k) {
+        const char* label = k == 0 ? "centre →" : "centre ↑";
+        if (numberField(context, label, label, scene.slice.centre[k],
+                        {.help = helpOf("centre"), .home = there.centre[k]})) {
             scene.slice.centreLow[k] = 0;
             context.touch();
         }
+    }
     double height = scene.slice.height;
-    if (number("height", height, 0, 4) && height > 1e-13 && height < 1e6) {
+    if (numberField(context, "height", "height", height,
+                    {.help = helpOf("height"),
+                     .low = 1e-12,
+                     .high = 10,
+                     .home = there.height,
+                     .logarithmic = true}) &&
+        height >= kLeastHeight && height <= kMostHeight) {
         scene.slice.height = height;
         context.touch();
     }
-    help("What the view shows from bottom to top");
+    const bool open = ImGui::TreeNodeEx("borders", ImGuiTreeNodeFlags_SpanAvailWidth);
+    explain("borders");
+    if (open) {
+        borderControls(context);
+        ImGui::TreePop();
+    }
     if (mapOf(scene).criticalPoints > 0 && showsParameters(scene)) {
         bool critical = scene.criticalStart.has_value();
         if (ImGui::Checkbox("start at the critical point", &critical)) {
@@ -194,69 +209,140 @@ void sliceControls(StudioContext& context) {
                 scene.criticalStart.reset();
             context.touch();
         }
-        help(
-            "A map of Julia sets: each point of this plane asks what becomes of the critical "
-            "point");
+        explain("start at the critical point");
     }
 }
 
+// The values at the palette's ends, in units in which shifting and stretching are linear.
+bool rangeControls(StudioContext& context) {
+    const Scene& scene = context.workspace.view();
+    Colouring& colour = context.workspace.view().colour;
+    const OrbitProgram* program = context.program(context.workspace.focused);
+    if (!program) return false;
+    const Expected<ColourPass> pass = ColourPass::make(scene, *program);
+    bool own = !colour.range.empty(), changed = false;
+    const bool toggled = ImGui::Checkbox("a range of your own", &own);
+    explain("own range");
+    if (toggled) {
+        colour.range.clear();
+        if (own && pass) colour.range = {pass->scale().low, pass->scale().high};
+        if (own && colour.reverse && pass) std::swap(colour.range[0], colour.range[1]);
+        return true;
+    }
+    if (!own || !pass) return false;
+    const bool log = pass->scale().kind == ScaleKind::log;
+    std::vector<double> next = colour.range;
+    const double span = std::abs(next[1] - next[0]);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const char* label = k == 0 ? "from" : "to";
+        changed |= numberField(context, std::string("colour ") + label, label, next[k],
+                               {.help = helpOf(k == 0 ? "range from" : "range to"),
+                                .low = log ? std::min(1e-3, std::min(next[0], next[1]))
+                                           : std::min(next[0], next[1]) - span,
+                                .high = log ? 1e4 : std::max(next[0], next[1]) + span,
+                                .logarithmic = log});
+    }
+    const auto dragged = [&](const char* label, const char* control) {
+        ImGui::Button(label);
+        explain(control);
+        const float moved = ImGui::IsItemActive() ? ImGui::GetIO().MouseDelta.x : 0;
+        return static_cast<double>(moved) / 300;
+    };
+    double low = log ? std::log(next[0]) : next[0], high = log ? std::log(next[1]) : next[1];
+    const double shift = dragged("↔ shift", "shift range") * (high - low);
+    ImGui::SameLine();
+    const double stretch = 0.5 * dragged("↔ stretch", "stretch range") * (high - low);
+    if (shift != 0 || stretch != 0) {
+        low += shift - stretch, high += shift + stretch;
+        next = {log ? std::exp(low) : low, log ? std::exp(high) : high};
+        changed = true;
+    }
+    const Scale scale{pass->scale().kind, next[0], next[1]};
+    if (!changed || !scale.check().ok()) return false;
+    colour.range = next;
+    return true;
+}
+
+bool gradientControls(StudioContext& context, const char* what, Gradient& range) {
+    bool changed = false;
+    ImGui::PushID(what);
+    const auto edit = [&](const char* label, DisplayColour& c) {
+        float v[4] = {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b),
+                      static_cast<float>(c.a)};
+        if (ImGui::ColorEdit4(label, v,
+                              ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_AlphaPreviewHalf |
+                                  ImGuiColorEditFlags_NoTooltip)) {
+            c = {v[0], v[1], v[2], v[3]};
+            changed = true;
+        }
+        explain(label);
+    };
+    ImGui::TextDisabled("%s", what);
+    ImGui::SameLine();
+    edit("fast", range.start);
+    ImGui::SameLine();
+    edit("slow", range.finish);
+    double exponent = range.exponent;
+    if (numberField(context, std::string(what) + " exponent", "colour exponent", exponent,
+                    {.help = helpOf("exponent"), .low = 0.05, .high = 4, .home = 1}) &&
+        exponent >= 0.01 && exponent <= 100) {
+        range.exponent = exponent;
+        changed = true;
+    }
+    ImGui::PopID();
+    return changed;
+}
+
+void choosePalette(StudioContext& context) {
+    Colouring& colour = context.workspace.view().colour;
+    std::string name = colour.palette;
+    if (!choose("palette", "palette", name, paletteNames())) return;
+    colour.palette = name;
+    colour.ownPalette = nullptr;
+    context.touch();
+}
+
 void colourControls(StudioContext& context) {
-    Scene& scene = context.workspace.view();
-    Colouring& colour = scene.colour;
-    bool changed = choose("colour by", colour.rule, {"palette", "gradient", "versor", "phase"});
-    if (colour.rule == "palette") {
+    Colouring& colour = context.workspace.view().colour;
+    bool changed =
+        choose("colour by", "colour by", colour.rule, {"palette", "gradient", "versor", "phase"});
+    const bool palette = colour.rule == "palette";
+    if (palette) {
         std::vector<std::string> fields;
         for (const FieldInfo& field : allFields())
             if (field.field != FieldName::versor) fields.emplace_back(field.name);
-        if (choose("field", colour.field, fields)) {
+        if (choose("field", "field", colour.field, fields)) {
             colour.range.clear();
             colour.scale.clear();
             changed = true;
         }
-        help("What is measured along each orbit");
     }
-    if (colour.rule == "palette" || colour.rule == "phase") {
-        changed |= choose("palette", colour.palette, paletteNames());
+    if (palette || colour.rule == "phase") {
+        choosePalette(context);
+        ImGui::PushID("palette editor");
+        drawPaletteEditor(context);
+        ImGui::PopID();
         changed |= ImGui::Checkbox("reversed", &colour.reverse);
+        explain("reversed");
     }
-    if (colour.rule == "palette") {
+    if (palette) {
         changed |=
-            choose("scale", colour.scale, {"", "linear", "log", "truncated_log", "sqrt", "cyclic"},
-                   "the field's own");
+            choose("scale", "scale", colour.scale,
+                   {"", "linear", "log", "truncated_log", "sqrt", "cyclic"}, "the field's own");
+        changed |= rangeControls(context);
         bool inside = colour.interior == "membership";
         if (ImGui::Checkbox("the set in its own colour", &inside)) {
             colour.interior = inside ? "membership" : "none";
             changed = true;
         }
+        explain("the set in its own colour");
     }
     if (colour.rule == "gradient") {
-        const auto gradient = [&](const char* what, Gradient& range) {
-            ImGui::PushID(what);
-            const auto edit = [&](const char* label, DisplayColour& c) {
-                float v[4] = {static_cast<float>(c.r), static_cast<float>(c.g),
-                              static_cast<float>(c.b), static_cast<float>(c.a)};
-                if (ImGui::ColorEdit4(label, v, ImGuiColorEditFlags_NoInputs)) {
-                    c = {v[0], v[1], v[2], v[3]};
-                    changed = true;
-                }
-            };
-            edit("fast", range.start);
-            ImGui::SameLine();
-            edit("slow", range.finish);
-            ImGui::SameLine();
-            ImGui::TextUnformatted(what);
-            double exponent = range.exponent;
-            if (number("exponent", exponent, 0, 4) && exponent >= 0.01) {
-                range.exponent = exponent;
-                changed = true;
-            }
-            ImGui::PopID();
-        };
-        gradient("escaped", colour.escaped);
-        gradient("attracted", colour.attracted);
-        changed |= choose("smoothing", colour.smoothing, {"none", "ratio", "log-log"});
+        changed |= gradientControls(context, "escaped", colour.escaped);
+        changed |= gradientControls(context, "attracted", colour.attracted);
+        changed |= choose("smoothing", "smoothing", colour.smoothing, {"none", "ratio", "log-log"});
     }
-    changed |= choose("outline", colour.outline, {"none", "membership", "solid"});
+    changed |= choose("outline", "outline", colour.outline, {"none", "membership", "solid"});
     if (changed) context.touch();
 }
 
@@ -267,7 +353,10 @@ void drawInspector(StudioContext& context) {
     const MapInfo& info = mapOf(workspace.views[0]).info;
     heading("Map");
     ImGui::SetNextItemWidth(-1);
-    if (ImGui::BeginCombo("##map", std::string(info.title).c_str(), ImGuiComboFlags_HeightLarge)) {
+    const bool open =
+        ImGui::BeginCombo("##map", std::string(info.title).c_str(), ImGuiComboFlags_HeightLarge);
+    if (!open) explain("map");
+    if (open) {
         for (const MapKernels& map : catalogue())
             if (ImGui::Selectable(std::string(map.info.title).c_str(),
                                   map.info.name == info.name) &&
@@ -281,28 +370,50 @@ void drawInspector(StudioContext& context) {
     ImGui::PushTextWrapPos();
     ImGui::TextUnformatted(shown.formula.data(), shown.formula.data() + shown.formula.size());
     ImGui::PopTextWrapPos();
-    help(shown.source);
-    if (ImGui::Button("Presets and maps … (Ctrl K)", {-1, 0})) context.searchOpen = true;
+    explainBy(shown.source);
+    if (ImGui::Button("Gallery")) context.galleryOpen = true;
+    explain("gallery");
+    ImGui::SameLine();
+    if (ImGui::Button("Find")) context.searchOpen = true;
+    explain("find");
+    ImGui::SameLine();
+    if (ImGui::Button("Open")) context.chooseFile();
+    explain("open");
+    ImGui::SameLine();
+    if (ImGui::Button("Export")) context.exportOpen = true;
+    explain("export dialog");
 
     heading("Parameters");
     parameters(context);
 
+    heading("Under the pointer");
+    drawProbe(context);
+
     heading("Orbits");
     Scene& scene = workspace.view();
-    ImGui::SetNextItemWidth(-ImGui::GetFontSize() * 6.5f);
-    int iterations = scene.iterations;
-    if (ImGui::DragInt("iterations", &iterations, 1 + static_cast<float>(iterations) / 200, 1,
-                       1000000, "N = %d", ImGuiSliderFlags_AlwaysClamp)) {
-        scene.iterations = iterations;
+    double iterations = scene.iterations;
+    if (numberField(context, "iterations", "max steps N", iterations,
+                    {.help = helpOf("iterations"),
+                     .low = 1,
+                     .high = 10000,
+                     .home = sceneOf(mapOf(scene)).iterations,
+                     .whole = true,
+                     .logarithmic = true})) {
+        scene.iterations = static_cast<int>(std::clamp(iterations, 1.0, 1e6));
         context.touch();
     }
-    help("An orbit that stays within the escape radius for N steps is counted as captured");
     double radius = scene.escapeRadius.value_or(automaticRadius(scene));
-    if (std::isfinite(radius) && number("escape radius", radius, 0, 100) && radius > 0) {
+    if (std::isfinite(radius) &&
+        numberField(context, "escape radius", "escape radius", radius,
+                    {.help = helpOf("escape radius"),
+                     .low = 0.5,
+                     .high = 100,
+                     .home = automaticRadius(scene),
+                     .logarithmic = true}) &&
+        radius > 0) {
         scene.escapeRadius = radius;
         context.touch();
     }
-    help("Beyond it an orbit has escaped");
 
     heading(workspace.views.size() > 1 ? "Slice of the marked view" : "Slice");
     sliceControls(context);

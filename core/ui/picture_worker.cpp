@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "colour/srgb.h"
+#include "plate/plate_picture.h"
 #include "render/picture.h"
 
 namespace versorium {
@@ -48,6 +49,13 @@ Expected<std::vector<unsigned char>> computeExport(CpuRenderer& renderer,
     Expected<Document> document = documentFromBytes(
         {reinterpret_cast<const unsigned char*>(request.document.data()), request.document.size()});
     if (!document) return document.status();
+    if (document->kind == "plate") {
+        const Expected<PlateDocument> plate = plateFromDocument(*document);
+        if (!plate) return plate.status();
+        Expected<PlateFile> file = renderPlate(renderer, *plate, job);
+        if (!file) return file.status();
+        return std::move(file->png);
+    }
     Expected<Scene> scene = sceneWithAssets(document->body, document->assets);
     if (!scene) return scene.status();
     Expected<PictureOptions> options = pictureOptions(*document);

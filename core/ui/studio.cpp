@@ -6,14 +6,16 @@
 
 #include "io/document.h"
 #include "ui/context.h"
+#include "ui/help.h"
+#include "ui/open_file.h"
 
 namespace versorium {
 namespace {
 
-constexpr double kQuiet = 0.4;    // seconds without a change before it is recorded
-constexpr double kNoticeFor = 6;  // seconds that a notice stays
-constexpr float kNarrow = 900;    // below this width views become tabs
-constexpr float kInspector = 330, kStrip = 150;
+constexpr double kQuiet = 0.4;          // seconds without a change before it is recorded
+constexpr double kProgressEvery = 0.1;  // seconds
+constexpr float kNarrow = 900;          // below this width views become tabs
+constexpr float kInspector = 330, kStrip = 150, kWebStrip = 300;
 
 }  // namespace
 
@@ -46,14 +48,9 @@ void Studio::State::takeAnswers() {
     while (std::optional<PictureAnswer> answer = context.host.takePicture())
         if (answer->view >= 0 && answer->view < kMostViews)
             context.views[static_cast<std::size_t>(answer->view)].picture.take(std::move(*answer));
-    if (std::optional<Expected<std::string>> outcome = context.host.takeExport()) {
-        if (*outcome) {
-            context.say("Exported: " + **outcome);
-            context.exportOpen = false;
-        } else {
-            context.report(outcome->status());
-        }
-    }
+        else if (answer->view == kThumbnails)
+            context.gallery.take(std::move(*answer));
+    takeExport(context);
 }
 
 // Records what was done, once the hand is off it, and keeps the link up to date.
@@ -63,8 +60,7 @@ void Studio::State::settle() {
         fragmentOld = true;
         if (!ImGui::IsAnyMouseDown() && now - context.touchedAt > kQuiet &&
             !context.animation.running) {
-            context.history.record(context.workspace);
-            context.touched = false;
+            context.record();
         }
     }
     if (fragmentOld && now - fragmentAt > 0.5 && !ImGui::IsAnyMouseDown()) {
@@ -76,6 +72,9 @@ void Studio::State::settle() {
             context.host.setFragment(fragmentText);
         }
     }
+    // What is still to be settled, or shown, comes by itself.
+    if (context.touched || fragmentOld) context.host.wakeAfter(0.5 * kQuiet);
+    if (context.host.exportProgress() >= 0) context.host.wakeAfter(kProgressEvery);
 }
 
 void Studio::State::animate() {
@@ -164,7 +163,9 @@ void Studio::State::drawRenderer(float right) {
 void Studio::State::drawWide(ImVec2 low, ImVec2 size) {
     const float bar = ImGui::GetFrameHeightWithSpacing();
     const float inspector = kInspector * context.scale;
-    const float strip = std::min(kStrip * context.scale, size.y * 0.25f);
+    const bool web = context.strip == StudioContext::Strip::web;
+    const float strip =
+        std::min((web ? kWebStrip : kStrip) * context.scale, size.y * (web ? 0.45f : 0.25f));
     const float left = size.x - inspector - 8;
     drawViews(low, {low.x + left, low.y + size.y - bar - strip - 6});
     ImGui::SetCursorScreenPos({low.x, low.y + size.y - bar - strip});
@@ -191,11 +192,14 @@ void Studio::State::drawNarrow(ImVec2 low, ImVec2 size) {
         const std::string label = (showsParameters(workspace.views[k]) ? "Parameters" : "Points") +
                                   std::string("##") + std::to_string(k);
         if (ImGui::Button(label.c_str(), button)) workspace.focused = static_cast<int>(k);
+        explain("view tab");
     }
     ImGui::SameLine();
     if (ImGui::Button(sheetOpen ? "Close" : "Controls", button)) sheetOpen = !sheetOpen;
+    explain("sheet");
     ImGui::SameLine();
     if (ImGui::Button("Undo", button)) context.undo();
+    explain("undo");
     const float sheet = sheetOpen ? size.y * 0.48f : 0;
     const float status = ImGui::GetFrameHeightWithSpacing();
     drawView(context, workspace.focused, {low.x, low.y + bar + 6},
@@ -239,6 +243,7 @@ void Studio::frame() {
     StudioContext& context = state.context;
     state.takeAnswers();
     handleKeys(context);
+    context.glide();
     state.animate();
     const ImGuiViewport& screen = *ImGui::GetMainViewport();
     ImGui::SetNextWindowPos(screen.WorkPos);
@@ -264,8 +269,11 @@ bool Studio::busy() const {
     const StudioContext& context = state_->context;
     for (std::size_t k = 0; k < context.workspace.views.size(); ++k)
         if (state_->shows(k) && context.views[k].picture.working()) return true;
-    return context.animation.running || context.touched || state_->fragmentOld ||
-           context.host.now() - context.noticeAt < kNoticeFor || context.host.exportProgress() >= 0;
+    return context.animation.running || context.gliding();
+}
+
+bool Studio::pinch(float fromX, float fromY, float toX, float toY, double factor) {
+    return state_->context.pinch({fromX, fromY}, {toX, toY}, factor);
 }
 
 Status Studio::openPreset(const std::string& name) {
@@ -276,15 +284,7 @@ Status Studio::openPreset(const std::string& name) {
 }
 
 Status Studio::openBytes(const std::string& name, std::span<const unsigned char> bytes) {
-    Expected<Document> document = documentFromBytes(bytes);
-    if (!document) return document.status().in(name);
-    if (document->kind != "scene")
-        return Status::data(name + ": this is a plate; only scenes open in the studio");
-    Expected<Scene> scene = sceneWithAssets(document->body, document->assets);
-    if (!scene) return scene.status().in(name);
-    state_->context.open(workspaceOf(*scene));
-    state_->context.say("Opened " + name);
-    return {};
+    return versorium::openBytes(state_->context, name, bytes);
 }
 
 Status Studio::openFragment(const std::string& fragment) {
@@ -307,7 +307,7 @@ bool Studio::finished() const {
     const Workspace& workspace = state_->context.workspace;
     for (std::size_t k = 0; k < workspace.views.size(); ++k)
         if (state_->shows(k) && !state_->context.views[k].picture.finished()) return false;
-    return !state_->context.animation.running;
+    return !state_->context.animation.running && !state_->context.gliding();
 }
 
 int Studio::pictures() const {
@@ -322,6 +322,7 @@ void Studio::stopAnimation() { state_->context.animation.running = false; }
 void Studio::contextLost() {
     state_->context.gpu.forget();
     for (ViewState& view : state_->context.views) view.picture.contextLost();
+    state_->context.gallery.contextLost();
 }
 
 }  // namespace versorium

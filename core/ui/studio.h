@@ -33,7 +33,8 @@ class Studio {
     // True while something moves or is being waited for: the shell should draw on without events.
     bool busy() const;
 
-    // A preset's name, or a document's JSON or PNG. On failure everything stays as it was.
+    // A preset's name, or what a file holds (ui/open_file.h). On failure everything stays as it
+    // was.
     Status openPreset(const std::string& name);
     Status openBytes(const std::string& name, std::span<const unsigned char> bytes);
     // The part of a link behind the '#', checked like any foreign input.
@@ -43,6 +44,8 @@ class Studio {
     // Shows why something failed.
     void tell(const Status& status);
     void stopAnimation();
+    // Two fingers of a touch screen: see StudioContext::pinch. False where no view is.
+    bool pinch(float fromX, float fromY, float toX, float toY, double factor);
 
     // OpenGL's context was lost: forgets every name in it. Textures come back by themselves.
     void contextLost();

@@ -63,6 +63,8 @@ void applyTheme(const Theme& theme, float scale) {
     set(ImGuiCol_WindowBg, vector(theme.background));
     set(ImGuiCol_ChildBg, vector(theme.panel));
     set(ImGuiCol_PopupBg, vector(theme.panel));
+    set(ImGuiCol_TitleBg, vector(theme.panel));
+    set(ImGuiCol_TitleBgActive, vector(theme.panel));
     set(ImGuiCol_Border, vector(theme.line));
     set(ImGuiCol_Separator, vector(theme.line));
     set(ImGuiCol_FrameBg, frame);

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "ui/context.h"
+#include "ui/marks.h"
+#include "ui/view_plane.h"
 
 namespace versorium {
 namespace {
@@ -14,91 +16,8 @@ constexpr float kReach = 16;  // how near the pointer must come to a mark, at sc
 constexpr double kWheel = 0.8;
 // Seconds of a frame for the graphics processor's pictures: half of it where frames are slow.
 constexpr double kLeastBudget = 0.012, kMostBudget = 0.05;
-constexpr int kProbeIterations = 20000;
-constexpr ImU32 kOrbit = IM_COL32(255, 214, 102, 255);
-
-struct ViewPlane {
-    ImVec2 low, high;
-    Viewport place;
-    double unit() const { return (high.y - low.y) / place.height; }
-    ImVec2 at(double u, double v) const {
-        const double x =
-            0.5 * (low.x + high.x) + ((u - place.centre[0]) - place.centreLow[0]) * unit();
-        const double y =
-            0.5 * (low.y + high.y) - ((v - place.centre[1]) - place.centreLow[1]) * unit();
-        const auto cut = [](double value) {
-            return static_cast<float>(std::isfinite(value) ? std::clamp(value, -1e6, 1e6) : -1e6);
-        };
-        return {cut(x), cut(y)};
-    }
-    double u(float x) const {
-        return place.centre[0] + (place.centreLow[0] + (x - 0.5 * (low.x + high.x)) / unit());
-    }
-    double v(float y) const {
-        return place.centre[1] + (place.centreLow[1] - (y - 0.5 * (low.y + high.y)) / unit());
-    }
-};
-
-// As many digits as neighbouring pixels need to differ.
-std::string coordinate(double value, const Viewport& place) {
-    const double size = std::max(std::abs(value), place.pixel());
-    const int digits = static_cast<int>(std::ceil(std::log10(size / place.pixel()))) + 1;
-    return formatNumber(value, std::clamp(digits, 3, 17));
-}
 
 bool near(ImVec2 a, ImVec2 b, float reach) { return std::hypot(a.x - b.x, a.y - b.y) <= reach; }
-
-void probe(StudioContext& context, int view, const ViewPlane& plane, ImVec2 mouse) {
-    const Scene& scene = context.workspace.views[static_cast<std::size_t>(view)];
-    Probe& found = context.probe;
-    found.view = view;
-    found.u = plane.u(mouse.x);
-    found.v = plane.v(mouse.y);
-    found.text.clear();
-    for (std::size_t k = 0; k < 2 && k < scene.slice.axes.size(); ++k)
-        found.text += (k ? "   " : "") + scene.slice.axes[k].terms[0].first + " = " +
-                      coordinate(k ? found.v : found.u, plane.place);
-    const OrbitProgram* bound = context.program(view);
-    if (!bound) return;
-    OrbitProgram program = *bound;
-    program.iterations = std::min(program.iterations, kProbeIterations);
-    const double* coordinates[2] = {&found.u, &found.v};
-    const FieldName fields[] = {FieldName::membership, FieldName::escapeStep,
-                                FieldName::squaredNorm, FieldName::period};
-    const auto values = evaluateFields(program, 1, coordinates, fields);
-    if (values[0][0] == 1) {
-        found.text += "   stays for " + std::to_string(program.iterations) + " steps";
-        if (values[3][0] > 0)
-            found.text += ", drawn to a cycle of period " + formatNumber(values[3][0], 5);
-    } else {
-        found.text += "   escapes at step " + formatNumber(values[1][0], 8);
-    }
-    found.text += "   |z| = " + formatNumber(std::sqrt(values[2][0]), 5);
-}
-
-void drawOrbit(StudioContext& context, const ViewPlane& plane, ImDrawList& list) {
-    const OrbitProgram* program = context.orbitProgram();
-    if (!program || program->map->dimension < 2) return;
-    const double start[2] = {context.workspace.point[0], context.workspace.point[1]};
-    const auto orbit = orbitOf(*program, start, context.workspace.orbitSteps);
-    ImVec2 last{};
-    for (std::size_t n = 0; n < orbit.size(); ++n) {
-        if (!std::isfinite(orbit[n][0]) || !std::isfinite(orbit[n][1])) break;
-        const ImVec2 at = plane.at(orbit[n][0], orbit[n][1]);
-        if (n > 0) {
-            list.AddLine(last, at, IM_COL32(8, 10, 14, 190), 3.5f);
-            list.AddLine(last, at, (kOrbit & 0x00ffffffu) | 0xc0000000u, 1.5f);
-        }
-        last = at;
-    }
-    for (std::size_t n = 1; n < orbit.size(); ++n) {
-        if (!std::isfinite(orbit[n][0]) || !std::isfinite(orbit[n][1])) break;
-        const ImVec2 at = plane.at(orbit[n][0], orbit[n][1]);
-        list.AddCircleFilled(at, 4, IM_COL32(8, 10, 14, 220));
-        list.AddCircleFilled(at, 2.6f, kOrbit);
-        if (n <= 9) drawText(list, {at.x + 5, at.y - 14}, kOrbit, std::to_string(n));
-    }
-}
 
 // The pointer's work; true while it may probe.
 void handlePointer(StudioContext& context, int view, const ViewPlane& plane, bool hovered,
@@ -137,7 +56,7 @@ void handlePointer(StudioContext& context, int view, const ViewPlane& plane, boo
     }
     if (hovered && ImGui::IsMouseDoubleClicked(0) && !near(mouse, ring, kReach * context.scale)) {
         context.visit(view);
-        context.zoom(view, 0.5, plane.u(mouse.x), plane.v(mouse.y));
+        context.zoom(view, 0.5, plane.u(mouse.x), plane.v(mouse.y), true);
     }
     if (!active) {
         if (state.drag == ViewState::Drag::box && std::abs(mouse.x - state.dragFrom.x) > 8 &&
@@ -164,6 +83,7 @@ void handlePointer(StudioContext& context, int view, const ViewPlane& plane, boo
         context.touch();
     } else if (state.drag == ViewState::Drag::pan) {
         Scene& scene = workspace.views[static_cast<std::size_t>(view)];
+        state.glide.reset();
         scene.slice.centre[0] -= io.MouseDelta.x / plane.unit();
         if (scene.slice.centre.size() > 1) scene.slice.centre[1] += io.MouseDelta.y / plane.unit();
         context.touch();
@@ -214,7 +134,8 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
     state.picture.draw(list, low, high);
     list.PushClipRect(low, high, true);
     if (!showsParameters(scene)) {
-        drawOrbit(context, plane, list);
+        if (workspace.arrows) drawArrows(context, view, plane, list);
+        drawOrbit(context, view, plane, list);
     } else {
         for (std::size_t k = 0; k < workspace.pins.size(); ++k) {
             Workspace pinned = workspace;
@@ -248,7 +169,7 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
     if (hovered && state.drag == ViewState::Drag::none)
         probe(context, view, plane, ImGui::GetIO().MousePos);
     else if (!hovered && context.probe.view == view)
-        context.probe = {};
+        context.probe.text.clear(), context.probe.view = -1;
     ImGui::PopID();
 }
 

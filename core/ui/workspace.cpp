@@ -87,6 +87,21 @@ Scene parameterView(const Scene& like) {
     return scene;
 }
 
+SliceSpec homeOf(const Scene& scene) {
+    const SliceSpec there =
+        showsParameters(scene) ? parameterView(scene).slice : dynamicalView(scene).slice;
+    SliceSpec place = scene.slice;
+    if (there.axes == place.axes) {
+        place.centre = there.centre;
+        place.height = there.height;
+    } else {
+        std::fill(place.centre.begin(), place.centre.end(), 0.0);
+        place.height = 4;
+    }
+    std::fill(place.centreLow.begin(), place.centreLow.end(), 0.0);
+    return place;
+}
+
 bool showsParameters(const Scene& scene) {
     for (const SliceAxis& axis : scene.slice.axes)
         for (const auto& [name, weight] : axis.terms)
@@ -188,6 +203,29 @@ Scene orbitScene(const Workspace& workspace) {
         scene.slice.centreLow.push_back(0);
     }
     return scene;
+}
+
+std::array<double, 4> bordersOf(const Scene& scene, double aspect) {
+    const SliceSpec& slice = scene.slice;
+    const auto middle = [&](std::size_t k) {
+        return k < slice.centre.size() ? slice.centre[k] + slice.centreLow[k] : 0.0;
+    };
+    const double tall = 0.5 * slice.height, wide = tall * aspect;
+    return {middle(0) - wide, middle(0) + wide, middle(1) - tall, middle(1) + tall};
+}
+
+bool setBorder(Scene& scene, int border, double value, double aspect) {
+    const std::array<double, 4> old = bordersOf(scene, aspect);
+    const auto axis = static_cast<std::size_t>(border / 2);
+    if (axis >= scene.slice.centre.size()) return false;
+    const double other = old[static_cast<std::size_t>(border ^ 1)];
+    const double length = border % 2 == 0 ? other - value : value - other;
+    const double height = axis == 0 ? length / aspect : length;
+    if (!(height >= kLeastHeight && height <= kMostHeight)) return false;
+    scene.slice.centre[axis] = 0.5 * (value + other);
+    scene.slice.centreLow[axis] = 0;
+    scene.slice.height = height;
+    return true;
 }
 
 void History::record(const Workspace& workspace) {

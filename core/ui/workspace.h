@@ -16,6 +16,10 @@ namespace versorium {
 
 inline constexpr int kMostViews = 4;
 inline constexpr int kMostPins = 4;
+inline constexpr int kMostOrbitSteps = 1000;
+inline constexpr std::size_t kMostRanges = 256;
+// What a view shows from bottom to top: as deep as double precision goes, and as far.
+inline constexpr double kLeastHeight = 1e-13, kMostHeight = 1e6;
 
 // A setting of all parameters that was set aside.
 using Pin = std::map<std::string, std::vector<double>>;
@@ -26,7 +30,11 @@ struct Workspace {
     bool maximised = false;     // only the focused view is shown
     std::vector<double> point;  // z_0 of the orbit that is drawn: one number for each of a state
     int orbitSteps = 24;
+    int orbitAt = 0;      // the step that is marked, at most orbitSteps
+    bool arrows = false;  // from points x to f(x), on views of starting points
     std::vector<Pin> pins;
+    // The ranges of sliders that are not the program's own, by the number's name: low < high.
+    std::map<std::string, std::array<double, 2>> ranges;
 
     Scene& view() { return views[static_cast<std::size_t>(focused)]; }
     const Scene& view() const { return views[static_cast<std::size_t>(focused)]; }
@@ -37,6 +45,8 @@ Scene dynamicalView(const Scene& like);
 // The plane of the first two numbers among the parameters that are worth varying, started at the
 // first critical point where there is one. A map without two parameters gives a dynamical view.
 Scene parameterView(const Scene& like);
+// The place where a view with these axes begins.
+SliceSpec homeOf(const Scene& scene);
 // True when an axis of the slice is a parameter or a root.
 bool showsParameters(const Scene& scene);
 
@@ -57,6 +67,12 @@ void moveMarker(Workspace& workspace, std::size_t view, double u, double v);
 
 // A scene whose points are the starting points around `workspace.point`; for orbits and probes.
 Scene orbitScene(const Workspace& workspace);
+
+// The borders of a view that is `aspect` times as wide as high: left, right, bottom, top.
+std::array<double, 4> bordersOf(const Scene& scene, double aspect);
+// Moves one of them; the opposite one stays, and the others follow from the aspect. False where
+// that would turn the view round, or make it no view.
+bool setBorder(Scene& scene, int border, double value, double aspect);
 
 Json workspaceToJson(const Workspace& workspace);
 // Strict, like sceneFromJson: ErrorKind::data with the path of the fault.

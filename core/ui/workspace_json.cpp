@@ -65,6 +65,8 @@ Json workspaceToJson(const Workspace& workspace) {
     if (workspace.maximised) json["maximised"] = true;
     json["point"] = workspace.point;
     json["orbit_steps"] = workspace.orbitSteps;
+    if (workspace.orbitAt > 0) json["orbit_at"] = workspace.orbitAt;
+    if (workspace.arrows) json["arrows"] = true;
     if (!workspace.pins.empty()) {
         json["pins"] = Json::array();
         for (const Pin& pin : workspace.pins) {
@@ -73,6 +75,7 @@ Json workspaceToJson(const Workspace& workspace) {
             json["pins"].push_back(values);
         }
     }
+    for (const auto& [name, range] : workspace.ranges) json["ranges"][name] = {range[0], range[1]};
     return json;
 }
 
@@ -95,7 +98,11 @@ Expected<Workspace> workspaceFromJson(const Json& json) {
     reader.integer("focused", workspace.focused, 0, static_cast<int>(views->size()) - 1)
         .boolean("maximised", workspace.maximised)
         .numbers("point", workspace.point, dimension, dimension)
-        .integer("orbit_steps", workspace.orbitSteps, 0, 1000);
+        .integer("orbit_steps", workspace.orbitSteps, 0, kMostOrbitSteps)
+        .integer("orbit_at", workspace.orbitAt, 0, kMostOrbitSteps)
+        .boolean("arrows", workspace.arrows);
+    if (workspace.orbitAt > workspace.orbitSteps)
+        reader.fail("orbit_at", "must be at most orbit_steps");
     if (const Json* pins = reader.child("pins")) {
         if (!pins->is_array() || pins->size() > kMostPins) {
             reader.fail("pins", "must be a list of at most 4 settings");
@@ -114,6 +121,22 @@ Expected<Workspace> workspaceFromJson(const Json& json) {
                 if (Status status = values.finish(); !status.ok()) return status;
                 workspace.pins.push_back(pin);
             }
+        }
+    }
+    if (const Json* ranges = reader.child("ranges")) {
+        if (!ranges->is_object() || ranges->size() > kMostRanges) {
+            reader.fail("ranges", "must be an object of at most 256 ranges");
+        } else {
+            ObjectReader values(*ranges, "ranges");
+            for (const auto& [name, unused] : ranges->items()) {
+                std::vector<double> range;
+                values.numbers(name.c_str(), range, 2, 2);
+                if (range.size() != 2 || !(range[0] < range[1]))
+                    values.fail(name.c_str(), "must be two numbers, the lower one first");
+                else
+                    workspace.ranges[name] = {range[0], range[1]};
+            }
+            if (Status status = values.finish(); !status.ok()) return status;
         }
     }
     if (Status status = reader.finish(); !status.ok()) return status;

@@ -16,7 +16,7 @@ ANGLED = re.compile(r"^\s*#\s*include\s*<([^>]+)>", re.M)
 PLATFORM_WORDS = re.compile(r"__EMSCRIPTEN__|emscripten[./]|imgui|GLFW|\bGL(ES[23]?)?/gl|\bX11/", re.I)
 # But for the rooms of the studio, which draw with them.
 STUDIO_WORDS = {"gpu": {"gles3/gl"}, "ui": {"gles3/gl", "imgui"}}
-STUDIO_HEADERS = {"ui": {"imgui.h"}}
+STUDIO_HEADERS = {"ui": {"imgui.h", "imgui_internal.h"}}
 # No function of <cmath> whose last bit depends on the library: math/elementary.h has the project's.
 INEXACT = (
     "exp exp2 expm1 log log2 log10 log1p sin cos tan asin acos atan atan2 sinh cosh tanh asinh "

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The studio's window on a virtual display, with a hand on mouse and keys: test_window.py PROGRAM"""
+import json
 import os
 import shutil
 import subprocess
@@ -158,6 +159,97 @@ class Window(unittest.TestCase):
         self.assertIsNone(run.poll())
         run.kill()
         self.assertGreater(self.shoot(scene), 300)
+
+
+    def studio(self, *arguments):
+        run = self.start("studio", *arguments)
+        self.hand("search", "--sync", "--name", "^Versorium$", "windowfocus", "--sync")
+        self.hand("mousemove", 235, 700)
+        return run
+
+    def tap(self, *keys):
+        """Down and up at once: a key that is held repeats itself."""
+        for key in keys:
+            self.hand("key", key)
+            time.sleep(0.4)
+
+    def saved(self):
+        """The scene as Ctrl S saves it now."""
+        before = set(os.listdir(self.folder))
+        self.press("ctrl", "s")
+        fresh = lambda: [name for name in set(os.listdir(self.folder)) - before
+                         if name.endswith(".json")]
+        self.wait_for("a saved scene", fresh)
+        with open(os.path.join(self.folder, fresh()[0])) as file:
+            return json.load(file)["body"]
+
+    def test_keys_that_go_down_and_up_between_two_frames(self):
+        self.studio("mandelbrot")
+        self.steady("first.png")
+        for _ in range(6):
+            self.tap("Right")
+            time.sleep(0.9)  # one deed ends before the next begins
+            # Within 12 ms: the modifier goes up before the letter does.
+            self.hand("key", "ctrl+z")
+            time.sleep(0.5)
+            self.assertEqual(self.saved()["slice"]["center"], [-0.65, 0])
+
+    def test_exports_are_what_the_command_line_makes(self):
+        self.studio("mandelbrot")
+        self.steady("first.png")
+        self.press("ctrl", "e")
+        self.steady("dialog.png")
+        self.tap("Return")
+        picture = os.path.join(self.folder, "quadratic.png")
+        self.wait_for("an exported picture", lambda: os.path.exists(picture))
+        time.sleep(1)
+        self.press("ctrl", "e")
+        self.steady("dialog.png")
+        self.hand("mousemove", 573, 354, "click", 1)  # "plate"
+        time.sleep(0.5)
+        self.tap("Return")
+        plate = os.path.join(self.folder, "quadratic-plate.png")
+        self.wait_for("an exported plate", lambda: os.path.exists(plate))
+        for command, path in (("render", picture), ("plate", plate)):
+            again = os.path.join(self.folder, "again.png")
+            code, _, err = self.finish(self.start(command, path, "-o", again, display=False))
+            self.assertEqual(code, 0, err)
+            with open(path, "rb") as one, open(again, "rb") as other:
+                self.assertEqual(one.read(), other.read(), command)
+
+    def test_the_gallery_opens_presets_and_keeps_recent_scenes(self):
+        run = self.studio("mandelbrot")
+        self.press("ctrl", "g")
+        self.steady("gallery.png")
+        self.tap("Right", "Right", "Return")  # burning ship, Hénon, Julia
+        time.sleep(1)
+        self.assertEqual(self.saved()["slice"]["axes"][0], {"z.re": 1})
+        run.kill()
+        run.wait()
+        time.sleep(1)  # until its window is gone: the next one is found by the same name
+        with open(os.path.join(self.folder, "settings", "versorium", "recent")) as file:
+            links = file.read().split()
+        self.assertGreaterEqual(len(links), 1)
+        self.assertTrue(all(link.startswith("v1:") for link in links))
+        self.studio("mandelbrot")
+        self.press("ctrl", "g")
+        self.steady("gallery.png")
+        self.tap("End", "Return")
+        time.sleep(1)
+        self.assertEqual(self.saved()["slice"]["axes"][0], {"z.re": 1})
+
+    def test_a_mesh_opens_from_the_list_of_files(self):
+        with open(os.path.join(self.folder, "tetra.obj"), "w") as file:
+            file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+        self.studio("mandelbrot")
+        self.press("ctrl", "o")
+        time.sleep(1)
+        # ".." and the settings stand above it.
+        self.tap("Down", "Down", "Return")
+        time.sleep(1.5)
+        scene = self.saved()
+        self.assertEqual(scene["map"], "shape-modulus")
+        self.assertTrue(scene["shape"]["source"].startswith("asset:"))
 
 
 if __name__ == "__main__":

@@ -85,18 +85,27 @@ export class Address {
 // The object that the module is made with. `studio()` is the module once it is there.
 export function makeHost({ studio, wake, address, pictures, exports }) {
   const canvas = byId("canvas");
+  let due = Infinity, timer = 0;
   return {
     wake,
+    wakeAfter(seconds) {
+      const at = performance.now() + 1000 * seconds;
+      if (at >= due) return;
+      due = at;
+      clearTimeout(timer);
+      timer = setTimeout(() => { due = Infinity; wake(); }, 1000 * seconds);
+    },
     copy(text) {
       navigator.clipboard?.writeText(text).catch(() => announce("The browser did not copy."));
     },
     request: (request) => pictures().request(request),
-    startExport: (document, name) => exports().begin(document, name),
+    startExport: (document, name, copy) => exports().begin(document, name, copy),
     cancelExport: () => exports().cancel(),
     save(name, bytes) {
       download(name, bytes);
       return true;
     },
+    chooseFile: () => byId("file").click(),
     address: publicAddress,
     stored(name) {
       try {
@@ -135,4 +144,17 @@ export function makeHost({ studio, wake, address, pictures, exports }) {
   };
 }
 
-export { download };
+// Puts a PNG on the clipboard, or where the browser does not take it, among the downloads. Says
+// where it is.
+async function copyPicture(name, bytes) {
+  try {
+    const blob = new Blob([bytes], { type: "image/png" });
+    await navigator.clipboard.write([new ClipboardItem({ "image/png": blob })]);
+    return "the clipboard";
+  } catch {
+    download(name, bytes);
+    return `${name}, among your downloads: the browser did not take it into its clipboard`;
+  }
+}
+
+export { copyPicture, download };

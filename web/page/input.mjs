@@ -19,10 +19,10 @@ function listenToPointers(canvas, studio, wake) {
     wake();
   };
 
-  // Fingers: one is the left button. Two drag with their midpoint and turn the wheel with their
-  // distance; the button waits a little so that two fingers never begin with a click of one.
+  // Fingers: one is the left button. Two move and zoom the view that they are on, and elsewhere turn
+  // the wheel; the button waits a little so that two fingers never begin with a click of one.
   const fingers = new Map();
-  let pressed = false, timer = 0, spread = 0;
+  let pressed = false, timer = 0, spread = 0, centre = [0, 0];
   const press = (down) => {
     clearTimeout(timer);
     timer = 0;
@@ -45,7 +45,7 @@ function listenToPointers(canvas, studio, wake) {
     } else if (fingers.size === 2) {
       press(false);
       move(...middle(), 1);
-      press(true);
+      centre = at(...middle());
       spread = distance();
     } else {
       press(false);
@@ -60,11 +60,14 @@ function listenToPointers(canvas, studio, wake) {
     finger.y = event.clientY;
     if (fingers.size === 1) move(finger.x, finger.y, 1);
     if (fingers.size !== 2) return;
-    move(...middle(), 1);
-    // As many steps as scale the picture as the fingers do, at a fifth for each step.
-    const now = distance();
-    studio._page_wheel(0, Math.log(now / spread) / Math.log(1.25));
+    const now = distance(), next = at(...middle());
+    if (!studio._page_pinch(...centre, ...next, now / spread)) {
+      move(...middle(), 1);
+      studio._page_wheel(0, (next[1] - centre[1]) / 40);
+    }
     spread = now;
+    centre = next;
+    wake();
   };
   const fingerUp = (event) => {
     if (!fingers.delete(event.pointerId)) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The page: loads the program, draws frames when something happened, and opens what it is given.
-import { Address, announce, download, hideMessage, makeHost, showMessage } from "./host.mjs";
+import { Address, announce, copyPicture, download, hideMessage, makeHost, showMessage } from "./host.mjs";
 import { listen } from "./input.mjs";
 import { compileProgram, instantiation } from "./load.mjs";
 import { Export, Pictures } from "./tasks.mjs";
@@ -60,10 +60,11 @@ function deliverPicture(request, { bytes, message = "", seconds = 0 }) {
   wake();
 }
 
-function endExport(name, { bytes, message }) {
-  if (bytes) download(name, bytes);
+async function endExport(name, { bytes, message }, copy) {
+  if (bytes && !copy) download(name, bytes);
+  const where = bytes && copy ? await copyPicture(name, bytes) : `${name}, among your downloads`;
   studio.ccall("page_export_end", null, ["number", "string"],
-    [bytes ? 1 : 0, bytes ? `${name}, among your downloads` : message || "nothing arrived"]);
+    [bytes ? 1 : 0, bytes ? where : message || "nothing arrived"]);
   wake();
 }
 

@@ -10,6 +10,7 @@ function openWorker(start) {
 // A superseded picture is given up only when it has run for this long: a new worker takes some time
 // to start as well. Doubled each time until one gets through, so that something is always shown.
 const patience = 400; // milliseconds
+const thumbnails = 4; // kThumbnails of ui/host.h
 
 export class Pictures {
   // `start` is the worker's first message, `deliver(request, answer)` takes what comes back.
@@ -47,8 +48,10 @@ export class Pictures {
 
   next() {
     if (this.running || this.waiting.size === 0) return;
-    // Views take turns: a map keeps the order in which its keys came.
-    const [view, request] = this.waiting.entries().next().value;
+    // Views take turns: a map keeps the order in which its keys came. The gallery comes last.
+    const views = [...this.waiting.keys()];
+    const view = views.find((one) => one !== thumbnails) ?? thumbnails;
+    const request = this.waiting.get(view);
     this.waiting.delete(view);
     this.running = { ...request, since: performance.now() };
     if (!this.worker) {
@@ -79,13 +82,14 @@ export class Export {
     Object.assign(this, { start, onProgress, onEnd });
   }
 
-  begin(document, name) {
+  // `copy`: the picture is for the clipboard.
+  begin(document, name, copy = false) {
     this.cancel();
     const worker = (this.worker = openWorker(this.start));
     const end = (answer) => {
       if (this.worker !== worker) return;
       this.cancel();
-      this.onEnd(name, answer);
+      this.onEnd(name, answer, copy);
     };
     worker.onmessage = ({ data }) => {
       if (this.worker !== worker) return;

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// What to export, how large, and how far it is.
+#include <algorithm>
+#include <cmath>
+
+#include "render/renderer.h"
+#include "ui/context.h"
+#include "ui/help.h"
+
+namespace versorium {
+namespace {
+
+bool radio(const char* label, const char* control, bool now) {
+    const bool chosen = ImGui::RadioButton(label, now);
+    explain(control);
+    return chosen;
+}
+
+void pictureOptions(StudioContext& context, ExportOptions& options) {
+    ImGui::InputInt("pixels wide", &options.width, 100, 1000);
+    explain("pixels wide");
+    options.width = std::clamp(options.width, 16, kMostPixels);
+    ImGui::SameLine();
+    ImGui::TextDisabled("× %ld",
+                        std::lround(options.width / context.aspect(context.workspace.focused)));
+}
+
+void plateOptions(StudioContext& context, ExportOptions& options) {
+    if (context.workspace.views.size() > 1) {
+        if (radio("marked view", "export what", !options.allViews)) options.allViews = false;
+        ImGui::SameLine();
+        if (radio("all views", "export what", options.allViews)) options.allViews = true;
+    }
+    const double least[2] = {60, 50}, most[2] = {2000, 2400};
+    ImGui::DragScalar("mm wide", ImGuiDataType_Double, &options.millimetres, 1, &least[0], &most[0],
+                      "%.4g", ImGuiSliderFlags_AlwaysClamp);
+    explain("plate width");
+    ImGui::DragScalar("pixels per inch", ImGuiDataType_Double, &options.dotsPerInch, 5, &least[1],
+                      &most[1], "%.4g", ImGuiSliderFlags_AlwaysClamp);
+    explain("plate dpi");
+    if (radio("paper", "plate theme", options.theme == "paper")) options.theme = "paper";
+    ImGui::SameLine();
+    if (radio("slide", "plate theme", options.theme == "slide")) options.theme = "slide";
+    ImGui::SameLine();
+    ImGui::Checkbox("title", &options.title);
+    explain("plate title");
+    ImGui::SameLine();
+    ImGui::Checkbox("caption", &options.caption);
+    explain("plate caption");
+}
+
+}  // namespace
+
+void drawExport(StudioContext& context) {
+    if (context.exportOpen && !ImGui::IsPopupOpen("Export")) ImGui::OpenPopup("Export");
+    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
+    if (!ImGui::BeginPopupModal("Export", &context.exportOpen, ImGuiWindowFlags_AlwaysAutoResize))
+        return;
+    ExportOptions& options = context.exporting;
+    const double progress = context.host.exportProgress();
+    ImGui::PushItemWidth(ImGui::GetFontSize() * 11);
+    ImGui::BeginDisabled(progress >= 0);
+    if (radio("picture", "export kind", !options.plate)) options.plate = false;
+    ImGui::SameLine();
+    if (radio("plate", "export kind", options.plate)) options.plate = true;
+    if (options.plate)
+        plateOptions(context, options);
+    else
+        pictureOptions(context, options);
+    int samples = context.workspace.view().samples;
+    if (ImGui::DragInt("samples along a pixel", &samples, 0.05f, 1, kMostSamples, "%d",
+                       ImGuiSliderFlags_AlwaysClamp)) {
+        for (Scene& scene : context.workspace.views) scene.samples = samples;
+        context.touch();
+    }
+    explain("samples");
+    ImGui::TextDisabled("The PNG carries its scene: it can be opened again.");
+    const bool enter =
+        progress < 0 && !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(ImGuiKey_Enter, false);
+    if (ImGui::Button("Export") || enter) context.startExport();
+    explain("export");
+    ImGui::SameLine();
+    if (ImGui::Button("Copy image")) context.copyImage();
+    explain("copy image");
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    if (progress >= 0) {
+        ImGui::ProgressBar(static_cast<float>(progress), {ImGui::GetFontSize() * 8, 0});
+        ImGui::SameLine();
+        if (ImGui::Button("Cancel")) context.host.cancelExport();
+        explain("cancel");
+    } else {
+        const bool closed = ImGui::Button("Close");
+        explain("close");
+        if (closed || ImGui::IsKeyPressed(ImGuiKey_Escape)) {
+            context.exportOpen = false;
+            ImGui::CloseCurrentPopup();
+        }
+    }
+    ImGui::PopItemWidth();
+    if (!context.notice.empty() && context.host.now() - context.noticeAt < kNoticeFor) {
+        ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26);
+        ImGui::TextUnformatted(context.notice.c_str());
+        ImGui::PopTextWrapPos();
+    }
+    ImGui::EndPopup();
+}
+
+void takeExport(StudioContext& context) {
+    std::optional<Expected<std::string>> outcome = context.host.takeExport();
+    if (!outcome) return;
+    if (*outcome) {
+        context.say((context.copying ? "The picture is in " : "Exported: ") + **outcome);
+        context.exportOpen = false;
+    } else if (outcome->status().kind() == ErrorKind::cancelled) {
+        context.say("The export was cancelled; nothing was written");
+    } else {
+        context.report(outcome->status());
+    }
+}
+
+}  // namespace versorium

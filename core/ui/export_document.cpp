@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "ui/export_document.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plate/markup.h"
+#include "plate/plate.h"
+#include "plate/scene_panels.h"
+#include "render/renderer.h"
+
+namespace versorium {
+namespace {
+
+Scene sceneOfView(const Workspace& workspace, std::size_t view,
+                  const std::vector<double>& aspects) {
+    Scene scene = workspace.views[view];
+    scene.aspect = aspects[view];
+    return scene;
+}
+
+// The map stands once, at the beginning; then what each panel shows.
+std::string captionOf(const std::vector<Scene>& scenes) {
+    const MapInfo& info = mapOf(scenes[0]).info;
+    const std::string title(info.title), formula(info.formula);
+    std::string text = "\\bold{" + escapeMarkup(title) + "}, " + escapeMarkup(formula);
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+        std::string sentence = sceneSentence(scenes[k]);
+        const std::string known = title + ", " + formula;
+        if (sentence.starts_with(known)) sentence = sentence.substr(known.size() + 2);
+        if (scenes.size() > 1)
+            text += std::string(k == 0 ? ". (" : " (") + static_cast<char>('a' + k) + ") ";
+        else
+            text += ": ";
+        text += escapeMarkup(sentence);
+    }
+    return text;
+}
+
+Document plateDocument(const Workspace& workspace, const std::vector<double>& aspects,
+                       const ExportOptions& options) {
+    Document document;
+    document.kind = "plate";
+    Plate plate;
+    std::vector<Scene> scenes;
+    for (std::size_t k = 0; k < workspace.views.size(); ++k) {
+        if (!options.allViews && static_cast<int>(k) != workspace.focused) continue;
+        scenes.push_back(sceneOfView(workspace, k, aspects));
+        PlatePanel panel;
+        panel.name = static_cast<char>('a' + plate.panels.size());
+        panel.title = showsParameters(scenes.back()) ? "Parameters" : "Starting points";
+        panel.scene = withoutAssets(sceneToJson(scenes.back()), document.assets);
+        plate.panels.push_back(std::move(panel));
+    }
+    const MapInfo& info = mapOf(scenes[0]).info;
+    plate.title = escapeMarkup(std::string(info.title));
+    plate.caption = captionOf(scenes);
+    plate.note =
+        "Versorium · " + escapeMarkup(std::string(info.source)) + " · scene embedded in this file";
+    document.body = plateToJson(plate);
+    document.render = Json{{"width_mm", options.millimetres},
+                           {"dpi", options.dotsPerInch},
+                           {"theme", options.theme},
+                           {"title", options.title},
+                           {"caption", options.caption}};
+    return document;
+}
+
+}  // namespace
+
+Expected<Document> exportDocument(const Workspace& workspace, const std::vector<double>& aspects,
+                                  const ExportOptions& options) {
+    if (options.plate) {
+        const double pixels = options.millimetres / 25.4 * options.dotsPerInch;
+        // A plate is seldom higher than wide; the layout itself checks the exact size.
+        if (pixels * pixels > 2 * kPlatePixelLimit)
+            return Status::usage("a plate of " + std::to_string(std::lround(pixels)) +
+                                 " pixels in width is too large: take fewer pixels per inch");
+        return plateDocument(workspace, aspects, options);
+    }
+    const auto view = static_cast<std::size_t>(workspace.focused);
+    const Scene scene = sceneOfView(workspace, view, aspects);
+    const Size size{options.width,
+                    std::max(1, static_cast<int>(std::lround(options.width / aspects[view])))};
+    if (Status status = checkSize(scene, size); !status.ok()) return status;
+    Document document;
+    document.body = withoutAssets(sceneToJson(scene), document.assets);
+    document.render = Json{{"width", size.width}, {"height", size.height}, {"flavour", "exact"}};
+    return document;
+}
+
+}  // namespace versorium

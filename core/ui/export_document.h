@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// What is exported, as the document that the command line would be given: `versorium render` or
+// `versorium plate` makes the same bytes of it.
+
+#include "io/document.h"
+#include "ui/workspace.h"
+
+namespace versorium {
+
+struct ExportOptions {
+    bool plate = false;     // with axes, keys and a caption; else the bare picture
+    bool allViews = false;  // as panels of the plate; else the marked view alone
+    int width = 1600;       // of the bare picture, in pixels; its height follows from the view
+    double millimetres = 178, dotsPerInch = 300;
+    std::string theme = "paper";
+    bool title = true, caption = true;
+};
+
+// `aspects` holds width over height of every view as it is shown. Fails where the picture would be
+// larger than any may be.
+Expected<Document> exportDocument(const Workspace& workspace, const std::vector<double>& aspects,
+                                  const ExportOptions& options);
+
+}  // namespace versorium

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "ui/help.h"
+
+#include <cassert>
+#include <string>
+
+#include "imgui.h"
+
+namespace versorium {
+namespace {
+
+struct Help {
+    std::string_view control, text;
+};
+
+constexpr Help kHelp[] = {
+    {"map", "Which map is iterated. Its formula stands below."},
+    {"find", "Finds maps, presets, recent scenes and commands by any part of their name."},
+    {"gallery", "Presets and the scenes of last time, as pictures."},
+    {"open", "Opens a scene, a picture that carries one, a mesh, an image or a palette."},
+    {"export dialog", "A picture or a plate of what is shown, as a PNG of any size."},
+    {"view tab", "Shows this view."},
+    {"sheet", "The map, its parameters, the slice and the colours; or the picture alone."},
+    {"undo", "Takes back what was done last. Key: Ctrl Z"},
+    {"pad", "Drag the point: right is the real part, up is i."},
+    {"parameter", "A number that the map depends on."},
+    {"borders", "Left, right, bottom and top of the view, to be typed."},
+    {"reset", "Back to the map's own value."},
+    {"animate", "Lets this number run to and fro through its range. The space bar pauses."},
+    {"number menu", "The range of this number, its exact value, and its animation."},
+    {"range low", "Where the slider begins. A typed number may lie beyond."},
+    {"range high", "Where the slider ends. A typed number may lie beyond."},
+    {"range reset", "The range that the program proposes."},
+    {"seconds", "How long it takes to run through the range and back."},
+    {"exact value", "The number as precisely as it is kept. Drag it, or double click to type."},
+    {"iterations",
+     "N, the most steps of an orbit. One that stays within the escape radius for N steps counts "
+     "as captured."},
+    {"escape radius", "Beyond this distance from 0 an orbit has escaped."},
+    {"axis", "Which number runs along this axis of the view."},
+    {"centre", "The middle of the view along this axis. Double click to type it."},
+    {"height", "What the view shows from bottom to top. Smaller is deeper."},
+    {"border", "Type the border of the view. The opposite border stays where it is."},
+    {"start at the critical point",
+     "A map of Julia sets: each point of this plane asks what becomes of the critical point."},
+    {"colour by",
+     "palette: a measured field on a palette. gradient: from fast to slow escape. versor: the "
+     "direction of f(z). phase: its angle."},
+    {"field", "What is measured along each orbit."},
+    {"palette", "The colours that the field runs through."},
+    {"reversed", "Runs through the palette from its end to its beginning."},
+    {"scale", "How values are spread over the palette, such as by their logarithm."},
+    {"range from", "The value at the beginning of the palette."},
+    {"range to", "The value at the end of the palette."},
+    {"own range", "Stretches the palette over a range of values of your own."},
+    {"shift range", "Moves the palette along the values without stretching it."},
+    {"stretch range", "Stretches the palette about its middle."},
+    {"the set in its own colour",
+     "Points that never escape take the palette's interior colour, whatever the field says."},
+    {"fast", "The colour of orbits that leave at once."},
+    {"slow", "The colour of orbits that take long."},
+    {"exponent", "Above 1 the colours begin later, below 1 earlier."},
+    {"smoothing", "none shows the bands of whole steps. ratio and log-log make them seamless."},
+    {"outline", "A line round the set: membership is what never escapes, solid what is meshed."},
+    {"edit palette", "Makes a palette of your own from this one, by its stops."},
+    {"stops", "Drag a stop to move it, double click between two to add one, Delete removes it."},
+    {"stop colour", "The colour of the chosen stop."},
+    {"stop position", "Where the chosen stop lies, from 0 to 1."},
+    {"delete stop", "Takes the chosen stop away. Two always remain."},
+    {"add stop", "Puts a stop into the widest gap, with the colour that is there now."},
+    {"turn stops", "Turns the whole palette round."},
+    {"interior colour", "The colour of points that never escape."},
+    {"built-in palette", "Gives up the palette of your own and takes the built-in one again."},
+    {"copy palette", "The palette as JSON, for a file or for another scene."},
+    {"orbit first", "To the beginning of the orbit."},
+    {"orbit back", "One step back along the orbit. Key: ,"},
+    {"orbit forward", "One step on along the orbit, which grows at its end. Key: ."},
+    {"orbit last", "To the end of the orbit."},
+    {"orbit steps", "How many steps of the orbit are drawn. Drag, or double click to type."},
+    {"series", "Every component of z_n against n."},
+    {"web", "The graph of f with the diagonal: up to the graph, across to the diagonal, again."},
+    {"web diagram", "Click or drag to choose x_0. Each corner of the line is a step."},
+    {"series diagram", "Click a step to choose it."},
+    {"orbit row", "A click chooses this step: it is marked in the views."},
+    {"copy table", "The orbit as a table for spreadsheets, columns parted by tabs."},
+    {"arrows", "Draws arrows from points x of the view to f(x). Key: A"},
+    {"export what", "One view, or all of them as the panels of one plate."},
+    {"export kind",
+     "A picture is the bare view. A plate adds axes, keys, a title and a caption, for print."},
+    {"pixels wide", "The width of the picture; its height follows from the view."},
+    {"samples", "Samples along each side of a pixel, averaged in linear light: 4 is very smooth."},
+    {"plate width", "In millimetres: 89 and 178 are one and two columns of a journal."},
+    {"plate dpi", "Pixels per inch. 300 is usual for print."},
+    {"plate theme", "White paper for print, or a dark slide for projection."},
+    {"plate title", "Whether the plate has its title."},
+    {"plate caption", "Whether the plate has its caption and its last line."},
+    {"export", "Computes the picture in double precision and saves it as a PNG."},
+    {"copy image", "Computes the picture and puts it on the clipboard where there is a way."},
+    {"cancel", "Stops the work. Nothing is written."},
+    {"close", "Closes this. Key: Escape"},
+    {"question", "Type any part of a name; Enter takes the first one."},
+    {"found", "Enter or a click takes it."},
+    {"preset", "Opens this scene. What is there now can be had back by undo."},
+    {"folder", "The folder that is shown. A typed path opens with Enter."},
+    {"file", "Opens this file, or goes into this folder."},
+};
+
+void show(std::string_view text) {
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+}  // namespace
+
+std::string_view helpOf(std::string_view control) {
+    for (const Help& help : kHelp)
+        if (help.control == control) return help.text;
+    return {};
+}
+
+void explain(std::string_view control) {
+    assert(!helpOf(control).empty());
+    explainBy(helpOf(control));
+}
+
+void explainBy(std::string_view text) {
+    if (text.empty()) return;
+    const bool focused = ImGui::GetIO().NavVisible && ImGui::IsItemFocused();
+    if (focused ||
+        ImGui::IsItemHovered(ImGuiHoveredFlags_DelayNormal | ImGuiHoveredFlags_AllowWhenDisabled))
+        show(text);
+}
+
+}  // namespace versorium

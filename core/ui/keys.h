@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Which modifiers were held when a key went down. Between two frames a fast hand may press a key
+// and let the modifier go before the key: ImGui then reports a press in a frame at whose end the
+// modifier is up, and Ctrl Z would be a mere z.
+
+#include "imgui.h"
+
+namespace versorium {
+
+// ImGuiMod_Ctrl, ImGuiMod_Shift, … together: at the moment of the press where `key` was pressed in
+// this frame, else as they are now.
+ImGuiKeyChord modifiersOf(ImGuiKey key);
+
+}  // namespace versorium

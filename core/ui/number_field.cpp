@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "ui/number_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/help.h"
+
+namespace versorium {
+namespace {
+
+bool exactField(const char* label, double& value, double step, const char* format) {
+    double typed = value;
+    if (!ImGui::DragScalar(label, ImGuiDataType_Double, &typed, static_cast<float>(step), nullptr,
+                           nullptr, format) ||
+        !std::isfinite(typed) || typed == value)
+        return false;
+    value = typed;
+    return true;
+}
+
+void toggleAnimation(StudioContext& context, const std::string& name, double low, double high) {
+    StudioContext::Animation& animation = context.animation;
+    if (animation.running && animation.number == name) {
+        animation.running = false;
+        return;
+    }
+    const double now = sharedNumber(context.workspace, name);
+    animation = {.number = name,
+                 .low = low,
+                 .high = high,
+                 .seconds = animation.seconds,
+                 .phase = std::acos(std::clamp(1 - 2 * (now - low) / (high - low), -1.0, 1.0)),
+                 .running = true};
+    context.host.wake();
+}
+
+void drawMenu(StudioContext& context, const std::string& name, double& value,
+              const NumberLook& look, std::array<double, 2> range) {
+    ImGui::TextDisabled("%s", name.c_str());
+    ImGui::PushItemWidth(ImGui::GetFontSize() * 9);
+    const double step = look.whole ? 1 : (range[1] - range[0]) / 4000;
+    exactField("exact value", value, step, look.whole ? "%.0f" : "%.15g");
+    explain("exact value");
+    std::array<double, 2> next = range;
+    bool moved = exactField("range low", next[0], step, "%.6g");
+    explain("range low");
+    moved |= exactField("range high", next[1], step, "%.6g");
+    explain("range high");
+    if (moved && next[0] < next[1] && (!look.logarithmic || next[0] > 0)) {
+        context.workspace.ranges[name] = next;
+        context.touch();
+    }
+    if (ImGui::Button("Usual range")) {
+        context.workspace.ranges.erase(name);
+        context.touch();
+    }
+    explain("range reset");
+    if (look.home) {
+        ImGui::SameLine();
+        if (ImGui::Button("Reset")) value = *look.home;
+        explain("reset");
+    }
+    if (look.animated) {
+        double seconds = context.animation.seconds;
+        if (exactField("seconds", seconds, 0.05, "%.3g") && seconds >= 0.5 && seconds <= 3600)
+            context.animation.seconds = seconds;
+        explain("seconds");
+    }
+    ImGui::PopItemWidth();
+}
+
+}  // namespace
+
+bool numberField(StudioContext& context, const std::string& name, const std::string& label,
+                 double& value, const NumberLook& look) {
+    const double before = value;
+    std::array<double, 2> range{look.low, look.high};
+    if (const auto own = context.workspace.ranges.find(name); own != context.workspace.ranges.end())
+        range = own->second;
+    const float letter = ImGui::GetFontSize(), gap = 4 * context.scale;
+    const float box = letter * 5.2f, button = letter * 1.5f;
+    const float buttons = (look.animated ? 2 : 1) * (button + gap);
+    ImGui::PushID(name.c_str());
+    const float left = ImGui::GetCursorPosX();
+    const float right = left + ImGui::GetContentRegionAvail().x;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label.c_str());
+    explainBy(look.help);
+    const char* format = look.whole ? "%.0f" : "%.6g";
+    if (look.slider) {
+        const float begin = left + letter * 6.8f;
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(begin);
+        ImGui::SetNextItemWidth(std::max(letter, right - buttons - box - gap - begin));
+        double slid = value;
+        if (ImGui::SliderScalar("##slider", ImGuiDataType_Double, &slid, &range[0], &range[1], "",
+                                look.logarithmic ? ImGuiSliderFlags_Logarithmic : 0) &&
+            std::isfinite(slid))
+            value = slid;
+        explainBy(look.help);
+    }
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(right - buttons - box);
+    ImGui::SetNextItemWidth(box);
+    exactField("##box", value,
+               look.whole ? std::max(0.5, std::abs(value) / 200) : (range[1] - range[0]) / 4000,
+               format);
+    explainBy(look.help);
+    if (look.animated) {
+        ImGui::SameLine(0, gap);
+        const bool mine = context.animation.running && context.animation.number == name;
+        if (mine ? ImGui::Button("■", {button, 0}) : ImGui::ArrowButton("play", ImGuiDir_Right))
+            toggleAnimation(context, name, range[0], range[1]);
+        explain("animate");
+    }
+    ImGui::SameLine(0, gap);
+    ImGui::SetCursorPosX(right - button);
+    if (ImGui::Button("…", {button, 0})) ImGui::OpenPopup("menu");
+    explain("number menu");
+    if (ImGui::BeginPopup("menu")) {
+        drawMenu(context, name, value, look, range);
+        ImGui::EndPopup();
+    }
+    ImGui::PopID();
+    if (look.whole) value = std::round(value);
+    return value != before;
+}
+
+}  // namespace versorium

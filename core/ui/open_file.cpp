@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "ui/open_file.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "io/document.h"
+#include "io/grid_files.h"
+#include "io/image_files.h"
+#include "io/mesh_files.h"
+#include "io/root_files.h"
+#include "plate/plate_picture.h"
+
+namespace versorium {
+namespace {
+
+constexpr std::string_view kMeshes[] = {".obj", ".ply", ".stl"};
+constexpr std::string_view kGrids[] = {".f3d", ".field2d", ".grid"};
+constexpr std::string_view kImages[] = {".png", ".jpg", ".jpeg", ".bmp"};
+constexpr std::string_view kOthers[] = {".json", ".p4d"};
+
+template <class Endings>
+bool endsWith(const std::string& name, const Endings& endings) {
+    std::string small = name;
+    for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return std::any_of(std::begin(endings), std::end(endings),
+                       [&](std::string_view ending) { return small.ends_with(ending); });
+}
+
+std::string fileName(const std::string& path) {
+    const std::size_t slash = path.find_last_of("/\\");
+    return slash == std::string::npos ? path : path.substr(slash + 1);
+}
+
+Status openDocument(StudioContext& context, const std::string& name, const Document& document) {
+    if (document.kind == "plate") {
+        Expected<PlateDocument> plate = plateFromDocument(document);
+        if (!plate) return plate.status();
+        const auto& panels = plate->plate.panels;
+        const auto first = std::find_if(panels.begin(), panels.end(), [](const PlatePanel& panel) {
+            return panel.kind == PanelKind::scene;
+        });
+        if (first == panels.end()) return Status::data("this plate has no scene, only plots");
+        Expected<Scene> scene = sceneWithAssets(first->scene, plate->assets);
+        if (!scene) return scene.status();
+        context.open(workspaceOf(*scene));
+        context.say("Opened panel " + first->name + " of the plate " + name);
+        return {};
+    }
+    Expected<Scene> scene = sceneWithAssets(document.body, document.assets);
+    if (!scene) return scene.status();
+    context.open(workspaceOf(*scene));
+    context.say("Opened " + name);
+    return {};
+}
+
+Status takePalette(StudioContext& context, const std::string& name, const Json& json) {
+    const Expected<Palette> palette = paletteFromJson(json);
+    if (!palette) return palette.status();
+    Colouring& colour = context.workspace.view().colour;
+    colour.palette = palette->name();
+    colour.ownPalette = paletteToJson(*palette);
+    if (colour.rule != "phase") colour.rule = "palette";
+    context.touch();
+    context.say(name + " is the palette of the marked view");
+    return {};
+}
+
+Status takeRoots(StudioContext& context, const std::string& name, const RootList& roots) {
+    const MapInfo& info = mapOf(context.workspace.view()).info;
+    if (info.lists.empty())
+        return Status::usage("these are roots, and " + std::string(info.title) + " has none");
+    if (roots.roots.size() > kMostRoots)
+        return Status::data("more than " + std::to_string(kMostRoots) + " roots are too many");
+    const std::string list(info.lists[0]);
+    for (Scene& scene : context.workspace.views) scene.lists[list] = roots;
+    context.touch();
+    context.say(name + ": " + std::to_string(roots.roots.size()) + " roots");
+    return {};
+}
+
+// Views of starting points look at where the mesh is.
+void frame(Scene& scene, const Mesh& mesh) {
+    SliceSpec& slice = scene.slice;
+    if (showsParameters(scene) || mesh.vertices.empty()) return;
+    double most = 0;
+    std::vector<double> centre(slice.axes.size(), 0.0);
+    for (std::size_t k = 0; k < slice.axes.size(); ++k) {
+        if (slice.axes[k].terms.size() != 1) return;
+        const std::optional<NumberRef> number = numberNamed(scene, slice.axes[k].terms[0].first);
+        if (!number || number->kind != NumberKind::state || number->index > 2) return;
+        const auto part = static_cast<std::size_t>(number->index);
+        double low = mesh.vertices[0][part], high = low;
+        for (const auto& vertex : mesh.vertices) {
+            low = std::min(low, vertex[part]);
+            high = std::max(high, vertex[part]);
+        }
+        centre[k] = 0.5 * (low + high);
+        most = std::max(most, high - low);
+    }
+    slice.centre = centre;
+    std::fill(slice.centreLow.begin(), slice.centreLow.end(), 0.0);
+    slice.height = std::clamp(1.6 * most, kLeastHeight, kMostHeight);
+}
+
+Status checkShape(const std::string& name, std::span<const unsigned char> bytes) {
+    if (endsWith(name, kMeshes)) return readMesh(bytes, name).status();
+    if (endsWith(name, kGrids)) return readGrid(bytes).status();
+    return readImage(bytes).status();
+}
+
+Status takeShape(StudioContext& context, const std::string& name,
+                 std::span<const unsigned char> bytes) {
+    if (bytes.size() > kMostAssetBytes)
+        return Status::usage("a scene carries no more than " +
+                             std::to_string(kMostAssetBytes >> 20) + " MiB");
+    if (Status status = checkShape(name, bytes); !status.ok()) return status;
+    const std::string before(mapOf(context.workspace.view()).info.title);
+    const bool fits = mapOf(context.workspace.view()).info.field;
+    Workspace next = context.workspace;
+    if (!fits) {
+        Expected<Scene> scene = presetNamed("shape-modulus");
+        if (!scene) return scene.status();
+        next = workspaceOf(*scene);
+    }
+    for (Scene& scene : next.views) {
+        scene.assets.clear();
+        scene.shape = {};
+        scene.shape.source = addAsset(scene, {name, {bytes.begin(), bytes.end()}});
+        if (endsWith(name, kMeshes)) frame(scene, *readMesh(bytes, name));
+    }
+    context.open(std::move(next));
+    const MapInfo& info = mapOf(context.workspace.view()).info;
+    context.say(fits ? name + " is the shape of this scene now"
+                     : name + " is the shape of " + std::string(info.title) + " now: " + before +
+                           " takes none");
+    return {};
+}
+
+Status openJson(StudioContext& context, const std::string& name, const std::string& text) {
+    Expected<Json> json = parseJson(text);
+    if (!json) return json.status();
+    if (json->is_object() && json->contains("stops")) return takePalette(context, name, *json);
+    if (json->is_object() && json->contains("roots") && !json->contains("map")) {
+        const Expected<RootList> roots = readRootsJson(text);
+        return roots ? takeRoots(context, name, *roots) : roots.status();
+    }
+    Expected<Document> document = documentFromJson(*json);
+    if (!document) return document.status();
+    return openDocument(context, name, *document);
+}
+
+Status openAny(StudioContext& context, const std::string& name,
+               std::span<const unsigned char> bytes) {
+    const bool png = bytes.size() > 4 && bytes[0] == 0x89 && bytes[1] == 'P';
+    if (png) {
+        const Expected<Document> document = documentFromBytes(bytes);
+        // A picture without a scene is an image like any other.
+        if (document) return openDocument(context, name, *document);
+        return takeShape(context, endsWith(name, kImages) ? name : name + ".png", bytes);
+    }
+    if (endsWith(name, kMeshes) || endsWith(name, kGrids) || endsWith(name, kImages))
+        return takeShape(context, name, bytes);
+    if (endsWith(name, std::initializer_list<std::string_view>{".p4d"})) {
+        const Expected<RootList> roots = readRootsBinary(bytes);
+        return roots ? takeRoots(context, name, *roots) : roots.status();
+    }
+    return openJson(context, name, std::string(bytes.begin(), bytes.end()));
+}
+
+}  // namespace
+
+bool mayOpen(const std::string& name) {
+    return endsWith(name, kMeshes) || endsWith(name, kGrids) || endsWith(name, kImages) ||
+           endsWith(name, kOthers);
+}
+
+Status openBytes(StudioContext& context, const std::string& path,
+                 std::span<const unsigned char> bytes) {
+    const std::string name = fileName(path);
+    return openAny(context, name, bytes).in(name);
+}
+
+Status openFile(StudioContext& context, const std::string& path) {
+    Expected<std::vector<unsigned char>> bytes = context.host.readFile(path);
+    if (!bytes) return bytes.status();
+    return openBytes(context, path, *bytes);
+}
+
+Status openText(StudioContext& context, const std::string& given) {
+    const auto blank = [](unsigned char c) { return std::isspace(c) != 0; };
+    auto first = std::find_if_not(given.begin(), given.end(), blank);
+    auto last = std::find_if_not(given.rbegin(), std::make_reverse_iterator(first), blank).base();
+    const std::string text(first, last);
+    if (text.empty()) return Status::usage("there is nothing on the clipboard to open");
+    const std::size_t link = text.starts_with("v1:") ? 0 : text.find("#v1:");
+    if (link != std::string::npos) {
+        Expected<Workspace> workspace = workspaceFromLink(text.substr(link ? link + 1 : 0));
+        if (!workspace) return workspace.status();
+        context.open(std::move(*workspace));
+        context.say("Opened the link");
+        return {};
+    }
+    if (text[0] == '{') return openJson(context, "the clipboard", text).in("the clipboard");
+    if (text.starts_with("file://")) return openFile(context, text.substr(7));
+    if (text[0] == '/' && text.find('\n') == std::string::npos) return openFile(context, text);
+    return Status::usage("what is on the clipboard is no link, no scene and no palette");
+}
+
+}  // namespace versorium

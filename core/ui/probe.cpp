@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// What becomes of the point under the pointer: a line for the status and a table for the inspector.
+#include "fields/dynamics.h"
+#include "ui/help.h"
+#include "ui/marks.h"
+
+namespace versorium {
+namespace {
+
+constexpr int kProbeIterations = 20000;
+// What the table says of a point, in its order; a row without a value keeps its place.
+constexpr const char* kRows[] = {"becomes",  "multiplier λ", "|λ|",
+                                 "last |z|", "versor of f",  "to the boundary"};
+
+// As many digits as neighbouring pixels need to differ.
+std::string coordinate(double value, const Viewport& place) {
+    const double size = std::max(std::abs(value), place.pixel());
+    const int digits = static_cast<int>(std::ceil(std::log10(size / place.pixel()))) + 1;
+    return formatNumber(value, std::clamp(digits, 3, 17));
+}
+
+std::string complexText(std::complex<double> value) {
+    const double tiny = 5e-7 * std::max(1.0, std::abs(value));
+    if (std::abs(value.imag()) < tiny) return formatNumber(value.real(), 5);
+    return formatNumber(std::abs(value.real()) < tiny ? 0 : value.real(), 5) +
+           (value.imag() < 0 ? " − " : " + ") + formatNumber(std::abs(value.imag()), 5) + " i";
+}
+
+}  // namespace
+
+void probe(StudioContext& context, int view, const ViewPlane& plane, ImVec2 mouse) {
+    const Scene& scene = context.workspace.views[static_cast<std::size_t>(view)];
+    Probe& found = context.probe;
+    const double u = plane.u(mouse.x), v = plane.v(mouse.y);
+    if (found.view == view && found.u == u && found.v == v && found.revision == context.revision)
+        return;
+    found = {};
+    found.view = view;
+    found.u = u;
+    found.v = v;
+    found.revision = context.revision;
+    for (std::size_t k = 0; k < 2 && k < scene.slice.axes.size(); ++k) {
+        const std::string name = scene.slice.axes[k].terms[0].first;
+        const std::string value = coordinate(k ? v : u, plane.place);
+        found.text += (k ? "   " : "") + name + " = " + value;
+        found.rows.emplace_back(name, value);
+    }
+    std::vector<std::string> values(std::size(kRows));
+    const OrbitProgram* bound = context.program(view);
+    if (bound) {
+        OrbitProgram program = *bound;
+        program.iterations = std::min(program.iterations, kProbeIterations);
+        const double* coordinates[3] = {&found.u, &found.v, &found.v};
+        const FieldName fields[] = {FieldName::membership, FieldName::escapeStep,
+                                    FieldName::squaredNorm, FieldName::versor, FieldName::distance};
+        const auto measured = evaluateFields(program, 1, coordinates, fields);
+        if (measured[0][0] == 1) {
+            const double at[3] = {found.u, found.v, 0};
+            const std::optional<Cycle> cycle = cycleOf(program, at);
+            values[0] = cycle ? "cycle of period " + std::to_string(cycle->period)
+                              : "stays for " + std::to_string(program.iterations) + " steps";
+            found.text += cycle ? "   drawn to a " + values[0] : "   " + values[0];
+            if (cycle) {
+                if (cycle->multiplier) values[1] = complexText(*cycle->multiplier);
+                values[2] = formatNumber(cycle->modulus, 5);
+                found.text += ", |λ| = " + values[2];
+            }
+            values[5] = "inside";
+        } else {
+            values[0] = "escapes at step " + formatNumber(measured[1][0], 8);
+            found.text += "   " + values[0];
+            if (measured[4][0] > 0) values[5] = formatNumber(measured[4][0], 3);
+        }
+        values[3] = formatNumber(std::sqrt(measured[2][0]), 5);
+        found.text += "   |z| = " + values[3];
+        for (std::size_t k = 0; k < measured[3].size(); ++k)
+            values[4] += (k ? ", " : "") + formatNumber(measured[3][k], 3);
+    }
+    for (std::size_t k = 0; k < std::size(kRows); ++k) found.rows.emplace_back(kRows[k], values[k]);
+}
+
+void drawProbe(StudioContext& context) {
+    if (context.probe.rows.empty()) return ImGui::TextDisabled("Point at a view.");
+    if (!ImGui::BeginTable("probe", 2)) return;
+    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed);
+    ImGui::TableSetupColumn("value");
+    for (const auto& [name, value] : context.probe.rows) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextDisabled("%s", name.c_str());
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(value.empty() ? "–" : value.c_str());
+    }
+    ImGui::EndTable();
+}
+
+}  // namespace versorium
