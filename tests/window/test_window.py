@@ -128,6 +128,33 @@ class Window(unittest.TestCase):
         self.assertNotEqual(code, 0)
         self.assertIn("no-such-scene", err)
 
+    def draw_by(self, who):
+        """Whom the studio's settings let draw live pictures."""
+        folder = os.path.join(self.folder, "settings", "versorium")
+        os.makedirs(folder, exist_ok=True)
+        with open(os.path.join(folder, "renderer"), "w") as setting:
+            setting.write(who)
+
+    def test_the_graphics_processor_draws_what_the_processor_draws(self):
+        # The last one has pixels too close together for 32 bits: the processor takes it over.
+        deep = os.path.join(self.folder, "deep.json")
+        with open(deep, "w") as scene:
+            scene.write('{"document": 1, "kind": "scene", "body": {"versorium": 1, "map": "quadratic",'
+                        ' "iterations": 300, "samples": 1,'
+                        ' "slice": {"axes": ["z.re", "z.im"], "center": [0.35, 0.2], "height": 1e-9}}}')
+        for scene in ("julia", "quaternion-julia", "shape-modulus", deep):
+            pictures = []
+            for who in ("graphics", "processor"):
+                self.draw_by(who)
+                pictures.append(os.path.join(self.folder, who + ".png"))
+                code, _, err = self.finish(self.start("studio", scene, "--screenshot", pictures[-1]))
+                self.assertEqual(code, 0, err)
+            for area in ("460x590+8+8", "460x590+476+8"):
+                self.assertLess(self.differing(*pictures, area), 0.02, (scene, area))
+            # The status line says who drew.
+            status = self.differing(*pictures, "400x24+530+762")
+            self.assertEqual(status == 0, scene == deep, scene)
+
     def test_hand_on_mouse_and_keys(self):
         left, right = "440x580+10+10", "440x580+480+10"
         run = self.start("studio", "mandelbrot")
