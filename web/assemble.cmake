@@ -1,12 +1,16 @@
-# Puts the page together: cmake -DPAGE=… -DBUILT=… -DDIST=… -P assemble.cmake
-# index.html learns the length of the program, the service worker all names and a hash of all.
+# Puts the page together: cmake -DPAGE=… -DBUILT=… -DTHREADS=… -DDIST=… -P assemble.cmake
+# BUILT is the program without threads. THREADS is the one with them, which goes into threads/ where
+# it was built. index.html learns the length of each, the service worker all names and a hash of all.
 file(REMOVE_RECURSE "${DIST}")
 file(MAKE_DIRECTORY "${DIST}")
 file(COPY "${BUILT}/versorium_studio.mjs" "${BUILT}/versorium_studio.wasm" DESTINATION "${DIST}")
-if(EXISTS "${BUILT}/versorium_studio.worker.js")
-    file(COPY "${BUILT}/versorium_studio.worker.js" DESTINATION "${DIST}")
-endif()
 file(SIZE "${DIST}/versorium_studio.wasm" PROGRAM_SIZE)
+set(THREADS_SIZE "")
+if(EXISTS "${THREADS}/versorium_studio.wasm")
+    file(COPY "${THREADS}/versorium_studio.mjs" "${THREADS}/versorium_studio.wasm"
+        "${THREADS}/versorium_studio.worker.js" DESTINATION "${DIST}/threads")
+    file(SIZE "${DIST}/threads/versorium_studio.wasm" THREADS_SIZE)
+endif()
 file(GLOB names RELATIVE "${PAGE}" "${PAGE}/*")
 list(REMOVE_ITEM names service_worker.js)
 foreach(name IN LISTS names)
@@ -17,7 +21,7 @@ foreach(name IN LISTS names)
     endif()
 endforeach()
 
-file(GLOB names RELATIVE "${DIST}" "${DIST}/*")
+file(GLOB_RECURSE names RELATIVE "${DIST}" "${DIST}/*")
 list(SORT names)
 set(hashes "")
 set(FILES "")

@@ -11,7 +11,8 @@ const [root] = process.argv.slice(2);
 const { dist, browser } = await prepare(root);
 
 // The page below /some/folder/, and at / a tall page that has it in a frame. Nothing more is sent
-// than a plain host for static files sends.
+// than a plain host for static files sends; below /isolated/ the page comes with the headers that
+// threads need.
 const types = {
   ".html": "text/html", ".css": "text/css", ".js": "text/javascript", ".mjs": "text/javascript",
   ".wasm": "application/wasm", ".svg": "image/svg+xml", ".webmanifest": "application/manifest+json",
@@ -20,8 +21,12 @@ const outer =
   '<!doctype html><body style="height:3000px"><iframe src="some/folder/" width="1000" height="600"></iframe>';
 const server = createServer((request, response) => {
   const path = new URL(request.url, "http://localhost").pathname;
-  const name = path.startsWith("/some/folder/") ? path.slice("/some/folder/".length) || "index.html" : null;
-  const file = name && join(dist, name);
+  const [, folder, name] = path.match(/^\/(some\/folder|isolated)\/(.*)$/) ?? [];
+  const file = folder && join(dist, name || "index.html");
+  if (folder === "isolated") {
+    response.setHeader("Cross-Origin-Opener-Policy", "same-origin");
+    response.setHeader("Cross-Origin-Embedder-Policy", "require-corp");
+  }
   if (path === "/") response.writeHead(200, { "Content-Type": "text/html" }).end(outer);
   else if (file && existsSync(file))
     response.writeHead(200, { "Content-Type": types[extname(file)] }).end(readFileSync(file));
@@ -46,8 +51,8 @@ async function visit(browser, where, options = {}) {
   await page.goto(where);
   return page;
 }
-async function open(browser, options) {
-  const page = await visit(browser, address, options);
+async function open(browser, options, where = address) {
+  const page = await visit(browser, where, options);
   await ready(page);
   await finished(page);
   return page;
@@ -66,6 +71,28 @@ const tests = {
     assert.equal(await fragment(page), state);
     assert.equal(await page.evaluate(() => crossOriginIsolated), true);
     await page.context().close();
+  },
+
+  async "with threads and without them the pictures are the same"(browser) {
+    if (!existsSync(join(dist, "threads"))) throw new Error("the program with threads is missing");
+    const shots = [];
+    for (const [where, isolated] of [[address, false], [outside + "isolated/", true]]) {
+      const page = await open(browser, {}, where);
+      const threads = await page.evaluate(() => versorium.threads);
+      assert.equal(threads > 0, isolated, `${threads} threads`);
+      for (let k = 0; k < 3; ++k) {
+        await page.mouse.move(...spot);
+        await page.mouse.wheel(0, -200);
+        await page.waitForTimeout(50); // a picture that is on its way is overtaken
+      }
+      await page.mouse.move(1200, 790);
+      await page.waitForTimeout(800);
+      await finished(page);
+      shots.push(await page.screenshot());
+      assert.deepEqual(page.faults, []);
+      await page.context().close();
+    }
+    assert.ok(shots[0].equals(shots[1]), "the pictures differ");
   },
 
   async "in a frame the wheel scrolls the page around it until a click"(browser) {

@@ -20,8 +20,13 @@ export async function compileProgram(address, total, onBytes) {
 
 // What Emscripten's modules take in order to run a program that is compiled already.
 export function instantiation(program) {
-  return (imports, receive) => {
-    WebAssembly.instantiate(program, imports).then((instance) => receive(instance, program));
+  return function (imports, receive) {
+    WebAssembly.instantiate(program, imports).then((instance) => {
+      receive(instance, program);
+      // A program with threads waits until all that it begins with are there, and for none of them
+      // it would wait for ever.
+      if (this.threads === 0) this.removeRunDependency?.("wasm-instantiate");
+    });
     return {};
   };
 }

@@ -146,16 +146,19 @@ function listenToSize() {
 
 // Beginning
 
-// A page that is isolated may use threads, where that build stands beside this one.
-async function rootOf() {
-  if (!globalThis.crossOriginIsolated || !document.querySelector('meta[name="versorium-threads"]'))
-    return { root: here, threads: 0 };
-  return { root: new URL("threads/", here), threads: Math.min(8, navigator.hardwareConcurrency || 1) };
+const meta = (name) => document.querySelector(`meta[name="${name}"]`).content;
+
+// A page that is isolated uses threads, where that build stands beside this one.
+function programHere() {
+  const threads = Number(meta("versorium-threads"));
+  if (!globalThis.crossOriginIsolated || !threads)
+    return { root: here, size: Number(meta("versorium-program-size")), threads: 0 };
+  const processors = navigator.hardwareConcurrency || 1;
+  return { root: new URL("threads/", here), size: threads, threads: Math.min(8, processors) };
 }
 
 async function begin() {
-  const { root, threads } = await rootOf();
-  const size = Number(document.querySelector('meta[name="versorium-program-size"]').content);
+  const { root, size, threads } = programHere();
   const [program, { default: create }] = await Promise.all([
     compileProgram(new URL("versorium_studio.wasm", root), size, showBytes),
     import(new URL("versorium_studio.mjs", root)),

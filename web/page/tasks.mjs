@@ -7,9 +7,10 @@ function openWorker(start) {
   return worker;
 }
 
-// A superseded picture is given up only when it has run for this long: a new worker takes some time
-// to start as well. Doubled each time until one gets through, so that something is always shown.
-const patience = 400; // milliseconds
+// A superseded picture is given up only when it has run for this long. Doubled each time until one
+// gets through, so that something is always shown. With threads the worker hears that it should
+// stop; without it must end, and a new one takes some time to start as well.
+const patienceOf = ({ threads }) => (threads > 0 ? 60 : 400); // milliseconds
 
 export class Pictures {
   // `start` is the worker's first message, `deliver(request, answer)` takes what comes back.
@@ -18,7 +19,7 @@ export class Pictures {
     this.deliver = deliver;
     this.waiting = new Map(); // view → its newest request
     this.running = null;
-    this.patience = patience;
+    this.patience = patienceOf(this.start);
   }
 
   request(request) {
@@ -33,6 +34,10 @@ export class Pictures {
     this.timer = setTimeout(() => {
       if (!this.running || !this.waiting.has(this.running.view)) return;
       this.patience *= 2;
+      if (this.start.threads > 0) {
+        this.running.cancelled = true;
+        return this.worker.postMessage({ cancel: this.running.id });
+      }
       this.close();
       this.next();
     }, Math.max(0, late));
@@ -66,7 +71,7 @@ export class Pictures {
     const request = this.running;
     if (!request) return;
     this.running = null;
-    this.patience = patience;
+    if (!request.cancelled) this.patience = patienceOf(this.start);
     clearTimeout(this.timer);
     if (answer.broken) this.close();
     this.deliver(request, answer);
