@@ -6,16 +6,21 @@
 #include <emscripten/html5.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "imgui.h"
 #include "imgui_impl_opengl3.h"
 #include "page_host.h"
 #include "page_input.h"
+#include "ui/software_canvas.h"
 #include "ui/studio.h"
 
 // clang-format off
 EM_JS(void, page_js_cursor, (int cursor), { Module.page.cursor(cursor); });
 EM_JS(void, page_js_typing, (int wanted), { Module.page.typing(wanted !== 0); });
+EM_JS(void, page_js_show, (const unsigned char* rgba, int width, int height), {
+    Module.page.show(HEAPU8.subarray(rgba, rgba + 4 * width * height), width, height);
+});
 // clang-format on
 
 namespace {
@@ -28,7 +33,8 @@ constexpr int kSettle = 4;
 struct Page {
     PageHost host;
     Studio studio{host};
-    float scale = 0;  // that letters were loaded for
+    std::optional<SoftwareCanvas> canvas;  // where there is no WebGL 2
+    float scale = 0;                       // that letters were loaded for
     int settle = kSettle;
     int frames = 0;
     int cursor = -1;
@@ -78,24 +84,28 @@ void draw(int width, int height) {
     io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
     io.DeltaTime = static_cast<float>(std::clamp(now - page->last, 1e-4, 0.1));
     page->last = now;
-    ImGui_ImplOpenGL3_NewFrame();
+    if (!page->canvas) ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
     page->studio.frame();
     ImGui::Render();
+    ++page->frames;
+    if (page->canvas) {
+        page->canvas->draw(*ImGui::GetDrawData(), {width, height});
+        return page_js_show(page->canvas->rgba().data(), width, height);
+    }
     glViewport(0, 0, width, height);
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    ++page->frames;
 }
 
 }  // namespace
 
 extern "C" {
 
-// 0 where the browser gives no WebGL 2.
+// 0 where the browser gives no WebGL 2: the processor then draws, and page.show() takes the pixels.
 EMSCRIPTEN_KEEPALIVE int page_start(int apple) {
-    if (!openContext()) return 0;
+    const bool openGl = openContext();
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
@@ -105,8 +115,11 @@ EMSCRIPTEN_KEEPALIVE int page_start(int apple) {
     io.SetClipboardTextFn = setClipboardText;
     io.GetClipboardTextFn = clipboardText;
     page = new Page;
-    ImGui_ImplOpenGL3_Init("#version 300 es");
-    return 1;
+    if (openGl)
+        ImGui_ImplOpenGL3_Init("#version 300 es");
+    else
+        page->canvas.emplace();
+    return openGl ? 1 : 0;
 }
 
 // Draws. Returns 0 when it may rest until the next event, 1 to be called for the next frame, 2 to
@@ -117,7 +130,10 @@ EMSCRIPTEN_KEEPALIVE int page_frame(int width, int height, float scale) {
         page->studio.prepare(scale);
         page->scale = scale;
         // They come back with the next frame, and the letters with them.
-        ImGui_ImplOpenGL3_DestroyDeviceObjects();
+        if (page->canvas)
+            page->canvas->takeFonts();
+        else
+            ImGui_ImplOpenGL3_DestroyDeviceObjects();
         page->settle = kSettle;
     }
     if (takeInput()) page->settle = kSettle;
@@ -182,8 +198,20 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_fragment(const char* fragment) {
     return kept(page->studio.openFragment(fragment).message());
 }
 
+// JSON: ui/controls.h.
+EMSCRIPTEN_KEEPALIVE const char* page_controls() { return kept(page->studio.controls()); }
+EMSCRIPTEN_KEEPALIVE int page_set_control(const char* id, const char* value) {
+    page->settle = kSettle;
+    return page->studio.setControl(id, value) ? 1 : 0;
+}
+EMSCRIPTEN_KEEPALIVE void page_mark_view(int view) {
+    page->settle = kSettle;
+    page->studio.markView(view);
+}
+
 EMSCRIPTEN_KEEPALIVE const char* page_fragment() { return kept(page->studio.fragment()); }
 EMSCRIPTEN_KEEPALIVE int page_frames_drawn() { return page->frames; }
+EMSCRIPTEN_KEEPALIVE int page_typing() { return page->typing ? 1 : 0; }
 EMSCRIPTEN_KEEPALIVE int page_finished() { return page->studio.finished() ? 1 : 0; }
 EMSCRIPTEN_KEEPALIVE void page_stop() { page->studio.stopAnimation(); }
 EMSCRIPTEN_KEEPALIVE int page_pictures_taken() { return page->host.picturesTaken(); }

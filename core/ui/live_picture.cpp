@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "ui/live_picture.h"
 
-#include <GLES3/gl3.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "ui/texture.h"
 
 namespace versorium {
 namespace {
@@ -76,17 +76,7 @@ void LivePicture::take(PictureAnswer answer) {
 void LivePicture::toTexture() {
     if (!upload_ || pixels_.empty()) return;
     upload_ = false;
-    GLuint name = texture_;
-    if (name == 0) glGenTextures(1, &name);
-    texture_ = name;
-    glBindTexture(GL_TEXTURE_2D, name);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, pixelSize_.width, pixelSize_.height, 0, GL_RGBA,
-                 GL_UNSIGNED_BYTE, pixels_.data());
+    texture_ = putTexture(texture_, pixelSize_, pixels_.data());
 }
 
 void LivePicture::draw(ImDrawList& list, ImVec2 low, ImVec2 high) {
@@ -109,8 +99,8 @@ void LivePicture::draw(ImDrawList& list, ImVec2 low, ImVec2 high) {
         return ImVec2{static_cast<float>(u), static_cast<float>(v)};
     };
     list.PushClipRect(low, high, true);
-    list.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture_)),
-                  corner(x - halfWidth, y - halfHeight), corner(x + halfWidth, y + halfHeight));
+    list.AddImage(textureId(texture_), corner(x - halfWidth, y - halfHeight),
+                  corner(x + halfWidth, y + halfHeight));
     list.PopClipRect();
 }
 

@@ -6,6 +6,7 @@
 
 #include "io/document.h"
 #include "ui/context.h"
+#include "ui/controls.h"
 
 namespace versorium {
 namespace {
@@ -211,6 +212,8 @@ void Studio::frame() {
     const float margin = 6;
     const ImVec2 low{screen.WorkPos.x + margin, screen.WorkPos.y + margin};
     const ImVec2 size{screen.WorkSize.x - 2 * margin, screen.WorkSize.y - 2 * margin};
+    // Only those that are drawn have a rectangle.
+    for (ViewState& view : context.views) view.low = view.high = {};
     state.narrow = screen.WorkSize.x < kNarrow * context.scale;
     if (state.narrow)
         state.drawNarrow(low, size);
@@ -270,6 +273,15 @@ bool Studio::finished() const {
         if (shown && !state_->context.views[k].picture.finished()) return false;
     }
     return !state_->context.animation.running;
+}
+
+std::string Studio::controls() const { return controlsText(state_->context); }
+bool Studio::setControl(const std::string& id, const std::string& value) {
+    return versorium::setControl(state_->context, id, value);
+}
+void Studio::markView(int view) {
+    Workspace& workspace = state_->context.workspace;
+    if (view >= 0 && view < static_cast<int>(workspace.views.size())) workspace.focused = view;
 }
 
 void Studio::tell(const Status& status) { state_->context.report(status); }

@@ -38,6 +38,11 @@ class Studio {
     Status openFragment(const std::string& fragment);
     std::string fragment() const;
 
+    // What can be set and done, for controls outside of the window: ui/controls.h.
+    std::string controls() const;
+    bool setControl(const std::string& id, const std::string& value);
+    void markView(int view);
+
     // Shows why something failed.
     void tell(const Status& status);
     void stopAnimation();

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The page where it is not alone: within another page, in a folder of a server that sends no special
-// headers, without WebGL 2, under two fingers, after a lost context. surroundings_test.mjs ROOT
+// headers, without WebGL 2, under two fingers, after a lost context. surroundings_test.mjs ROOT [SCREENSHOTS]
 import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { extname, join } from "node:path";
-import { changed, fragment, patience, prepare, runAll, waitFor } from "./browser.mjs";
+import { changed, difference, fragment, prepare, runAll, waitFor } from "./browser.mjs";
 
-const [root] = process.argv.slice(2);
-const { dist, browser } = await prepare(root);
+const [root, screenshots] = process.argv.slice(2);
+const { dist, browser, launch } = await prepare(root);
 
 // The page below /some/folder/, and at / a tall page that has it in a frame. Nothing more is sent
 // than a plain host for static files sends; below /isolated/ the page comes with the headers that
@@ -172,16 +172,93 @@ const tests = {
     await page.context().close();
   },
 
-  async "without WebGL 2 it says so"(browser) {
-    const context = await browser.newContext();
-    const page = await context.newPage();
-    await page.addInitScript(() => {
-      HTMLCanvasElement.prototype.getContext = () => null;
-    });
-    await page.goto(address);
-    await page.waitForSelector("#message:not([hidden])", { timeout: patience });
-    assert.match(await page.textContent("#message-text"), /WebGL 2/);
-    await context.close();
+  async "the keyboard reaches every view and control"(browser) {
+    const page = await open(browser);
+    const said = () => page.textContent("#said");
+    const tab = async (wanted) => {
+      for (let k = 0; k < 40; ++k) {
+        await page.keyboard.press("Tab");
+        const name = await page.evaluate(() => {
+          const at = document.activeElement;
+          return at.closest(".field")?.dataset.id ?? at.getAttribute("aria-label") ?? at.id;
+        });
+        if (name.includes(wanted)) return;
+      }
+      throw new Error("Tab does not come to " + wanted);
+    };
+    await waitFor(page, () => document.querySelectorAll(".field").length > 40);
+    // Views: their keys are the studio's.
+    await tab("View 2");
+    for (const key of ["ArrowRight", "+", "-"]) {
+      const before = await fragment(page);
+      await page.keyboard.press(key);
+      await changed(page, before);
+    }
+    await waitFor(page, () => /View 2, starting points .* escapes at step/.test(document.getElementById("said").textContent));
+    // A choice, a number by strokes and by typing, a switch.
+    const state = async () => JSON.parse(await page.evaluate(() => versorium.controls())).controls;
+    const value = async (id) => (await state()).find((control) => control.id === id).value;
+    await tab("map");
+    await page.keyboard.press("Shift+Tab"); // back to the view
+    await tab("map");
+    await tab("c.re");
+    const before = Number(await value("c.re"));
+    await page.keyboard.press("ArrowUp");
+    assert.ok(Number(await value("c.re")) > before);
+    await page.keyboard.press("Control+a");
+    await page.keyboard.type("-0.125");
+    await page.keyboard.press("Enter");
+    assert.equal(await value("c.re"), "-0.125");
+    if (screenshots) await page.screenshot({ path: join(screenshots, "keyboard.png") });
+    await page.keyboard.press("Control+a");
+    await page.keyboard.type("much");
+    await page.keyboard.press("Enter");
+    assert.match(await said(), /cannot be much/);
+    assert.equal(await value("c.re"), "-0.125");
+    await tab("palette");
+    await page.keyboard.press("f");
+    await waitFor(page, () => /"palette","kind":"choice","value":"f/.test(versorium.controls()));
+    await tab("reverse");
+    await page.keyboard.press("Space");
+    assert.equal(await value("reverse"), "on");
+    // A command; each of the studio's is here.
+    await tab("do Undo");
+    const now = await fragment(page);
+    await page.keyboard.press("Enter");
+    await changed(page, now);
+    const fields = await page.$$eval(".field", (all) => all.map((field) => field.dataset.id));
+    assert.deepEqual(fields, (await state()).map((control) => control.id));
+    await page.keyboard.press("Escape");
+    assert.equal(await page.evaluate(() => document.activeElement.id), "canvas");
+    assert.deepEqual(page.faults, []);
+    await page.context().close();
+  },
+
+  async "without WebGL 2 the processor draws the same picture, and the page says so"(browser) {
+    const plain = await launch("--disable-3d-apis", "--disable-gpu");
+    const shots = [];
+    for (const which of [browser, plain]) {
+      const page = await open(which);
+      if (which === plain) {
+        assert.match(await page.textContent("#message-text"), /WebGL 2/);
+        if (screenshots) await page.screenshot({ path: join(screenshots, "no-webgl.png") });
+        await page.click("#dismiss");
+      }
+      const before = await fragment(page);
+      await page.mouse.move(...spot);
+      await page.mouse.wheel(0, -300);
+      await changed(page, before);
+      await page.mouse.move(1275, 797);
+      await finished(page);
+      await page.waitForTimeout(500);
+      shots.push(await page.screenshot());
+      assert.deepEqual(page.faults, []);
+      await page.context().close();
+    }
+    await plain.close();
+    // Letters and thin lines are rounded in other ways; pictures are not.
+    const { mean, share } = await difference(browser, ...shots);
+    assert.ok(mean < 0.005 && share < 0.01, `mean ${mean}, share ${share}`);
   },
 };
 

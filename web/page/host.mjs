@@ -85,6 +85,7 @@ export class Address {
 // The object that the module is made with. `studio()` is the module once it is there.
 export function makeHost({ studio, wake, address, pictures, exports }) {
   const canvas = byId("canvas");
+  let flat = null, image = null;
   return {
     wake,
     copy(text) {
@@ -123,6 +124,13 @@ export function makeHost({ studio, wake, address, pictures, exports }) {
       const field = byId("typing");
       if (wanted && matchMedia("(pointer: coarse)").matches) field.focus({ preventScroll: true });
       else if (!wanted && document.activeElement === field) canvas.focus({ preventScroll: true });
+    },
+    // The canvas without WebGL: opaque RGBA.
+    show(rgba, width, height) {
+      if (image?.width !== width || image.height !== height) image = new ImageData(width, height);
+      image.data.set(rgba);
+      flat ??= canvas.getContext("2d", { alpha: false });
+      flat?.putImageData(image, 0, 0);
     },
     // A text on the program's heap, which it frees.
     give(text) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The page: loads the program, draws frames when something happened, and opens what it is given.
+import { Controls } from "./controls.mjs";
 import { Address, announce, download, hideMessage, makeHost, showMessage } from "./host.mjs";
 import { listen } from "./input.mjs";
 import { compileProgram, instantiation } from "./load.mjs";
@@ -9,7 +10,7 @@ const byId = (id) => document.getElementById(id);
 const canvas = byId("canvas");
 const here = new URL("./", import.meta.url);
 
-let studio = null, pictures = null, exports = null, pending = 0, later = 0;
+let studio = null, pictures = null, exports = null, controls = null, pending = 0, later = 0;
 
 // Calls a function of the program that takes texts and perhaps returns one.
 const call = (name, returns, ...texts) =>
@@ -34,6 +35,7 @@ function fitCanvas() {
 function frame() {
   pending = 0;
   const more = studio._page_frame(...fitCanvas());
+  controls.soon(studio._page_finished() === 1);
   if (studio._page_pictures_taken() > 0) document.documentElement.dataset.state = "ready";
   if (more === 1) wake();
   clearTimeout(later);
@@ -111,10 +113,16 @@ function listenToFiles() {
     openFile(event.dataTransfer.files[0]);
   });
   document.addEventListener("paste", (event) => {
-    const { files } = event.clipboardData;
-    if (files.length > 0) openFile(files[0]);
-    else call("page_paste", null, event.clipboardData.getData("text/plain"));
+    if (event.target.closest?.(".field")) return;
     event.preventDefault();
+    const { files } = event.clipboardData;
+    if (files.length > 0) return openFile(files[0]);
+    const text = event.clipboardData.getData("text/plain");
+    // A link or a scene opens, but not while somebody writes.
+    const link = text.trim().match(/^(?:\S*#)?(v1:\S+)$/);
+    if (!studio._page_typing() && link) openFragment(link[1]);
+    else if (!studio._page_typing() && /^\s*\{/.test(text)) openFile(new File([text], "the pasted scene"));
+    else call("page_paste", null, text);
     wake();
   });
   byId("dismiss").addEventListener("click", () => {
@@ -180,16 +188,27 @@ async function begin() {
     onProgress: (progress) => { module._page_export_progress(progress); wake(); },
     onEnd: endExport,
   });
-  if (!module._page_start(/Mac|iP(hone|ad|od)/.test(navigator.platform) ? 1 : 0))
-    throw new Error("this browser gives no WebGL 2, which the studio draws with");
+  const graphics = module._page_start(/Mac|iP(hone|ad|od)/.test(navigator.platform) ? 1 : 0);
   studio = module;
-  listen(canvas, studio, wake, () => byId("file").click());
+  const keys = listen(canvas, studio, wake, () => byId("file").click());
+  controls = new Controls(byId("controls"), canvas, {
+    read: () => call("page_controls", "string"),
+    set: (id, value) => {
+      const taken = call("page_set_control", "number", id, value) === 1;
+      wake();
+      return taken;
+    },
+    mark: (view) => { studio._page_mark_view(view); wake(); },
+  });
+  controls.onView = keys;
   listenToContext();
   listenToFiles();
   listenToSize();
   byId("loading").remove();
   canvas.focus({ preventScroll: true });
   if (location.hash.length > 1) openFragment(location.hash.slice(1));
+  if (!graphics)
+    showMessage("This browser gives no WebGL 2: the processor draws, and everything is slower.");
   window.versorium = {
     get framesDrawn() { return studio._page_frames_drawn(); },
     get picturesTaken() { return studio._page_pictures_taken(); },
@@ -197,6 +216,7 @@ async function begin() {
     get finished() { return studio._page_finished() === 1; },
     stop: () => studio._page_stop(),
     fragment: () => call("page_fragment", "string"),
+    controls: () => call("page_controls", "string"),
   };
   wakeAnew();
 }
