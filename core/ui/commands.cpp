@@ -147,8 +147,10 @@ void handleKeys(StudioContext& context) {
     if (!io.KeyShift) return context.pan(context.workspace.focused, 0.1 * right, 0.1 * up);
     const auto view = static_cast<std::size_t>(context.workspace.focused);
     const ViewState& state = context.views[view];
+    // The shorter side shows the slice's height.
     const double pixel =
-        context.workspace.view().slice.height / std::max(1.0f, state.high.y - state.low.y);
+        context.workspace.view().slice.height /
+        std::max(1.0f, std::min(state.high.x - state.low.x, state.high.y - state.low.y));
     const auto marker = markerOf(context.workspace, view);
     moveMarker(context.workspace, view, marker[0] + right * pixel, marker[1] + up * pixel);
     context.touch();

@@ -150,8 +150,9 @@ void StudioContext::pan(int view, double widths, double heights) {
     const ViewState& state = views[static_cast<std::size_t>(view)];
     const double tall = std::max(1.0f, state.high.y - state.low.y);
     const double wide = std::max(1.0f, state.high.x - state.low.x);
-    scene.slice.centre[0] += widths * scene.slice.height * wide / tall;
-    if (scene.slice.centre.size() > 1) scene.slice.centre[1] += heights * scene.slice.height;
+    const double height = shownHeight(scene, wide / tall);
+    scene.slice.centre[0] += widths * height * wide / tall;
+    if (scene.slice.centre.size() > 1) scene.slice.centre[1] += heights * height;
     touch();
 }
 
@@ -184,6 +185,7 @@ void StudioContext::startExport() {
                     std::max(1, static_cast<int>(std::lround(exportWidth * tall / wide)))};
     Scene scene = workspace.view();
     scene.aspect = wide / tall;
+    scene.slice.height = shownHeight(scene, scene.aspect);
     if (Status status = checkSize(scene, size); !status.ok()) return report(status);
     host.startExport({documentText(scene, size), scene.map + ".png"});
 }

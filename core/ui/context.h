@@ -30,6 +30,7 @@ struct ViewState {
     LivePicture picture;
     std::string text;  // of the scene, made anew when the revision is
     std::uint64_t revision = 0;
+    double aspect = 0;  // that the text was made for
     Visits visits;
     ImVec2 low{}, high{};  // its rectangle in the window
     enum class Drag { none, pan, marker, box } drag = Drag::none;

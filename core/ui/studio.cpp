@@ -115,9 +115,10 @@ void Studio::State::drawStatus() {
         return;
     }
     if (context.welcome) {
-        ImGui::TextUnformatted(
-            "Drag the ring. Every point of the left picture is a whole picture "
-            "on the right.");
+        ImGui::TextUnformatted(narrow ? "Drag the ring, then press Points: each point here is a "
+                                        "whole picture there."
+                                      : "Drag the ring. Every point of the left picture is a whole "
+                                        "picture on the right.");
         return;
     }
     const LivePicture& picture =
@@ -159,11 +160,13 @@ void Studio::State::drawNarrow(ImVec2 low, ImVec2 size) {
     ImGui::SameLine();
     if (ImGui::Button("Undo", button)) context.undo();
     const float sheet = sheetOpen ? size.y * 0.48f : 0;
-    const float status = ImGui::GetFrameHeightWithSpacing();
+    const float status = 2 * ImGui::GetTextLineHeight() + 8;
     drawView(context, workspace.focused, {low.x, low.y + bar + 6},
              {low.x + size.x, low.y + size.y - sheet - status});
     ImGui::SetCursorScreenPos({low.x + 8, low.y + size.y - sheet - status + 4});
+    ImGui::PushTextWrapPos(size.x);
     drawStatus();
+    ImGui::PopTextWrapPos();
     if (!sheetOpen) return;
     ImGui::SetCursorScreenPos({low.x, low.y + size.y - sheet});
     ImGui::BeginChild("sheet", {size.x, sheet}, ImGuiChildFlags_AlwaysUseWindowPadding);

@@ -169,6 +169,23 @@ void moveMarker(Workspace& workspace, std::size_t view, double u, double v) {
     for (const auto& [name, value] : values) setSharedNumber(workspace, name, value);
 }
 
+double shownHeight(const Scene& view, double aspect) {
+    return view.slice.height / std::min(1.0, aspect);
+}
+
+Scene pictureScene(const Scene& view, double aspect) {
+    Scene scene = view;
+    scene.slice.height = shownHeight(view, aspect);
+    for (const SliceAxis& axis : view.slice.axes)
+        for (const auto& [name, weight] : axis.terms) {
+            const std::optional<NumberRef> number = numberNamed(view, name);
+            // The map's own power is the degree that escape times are smoothed with.
+            if (number && number->kind != NumberKind::list && name != "power")
+                setNumber(scene, *number, 0);
+        }
+    return scene;
+}
+
 Scene orbitScene(const Workspace& workspace) {
     Scene scene = dynamicalView(workspace.views[0]);
     scene.criticalStart.reset();

@@ -10,7 +10,7 @@ const byId = (id) => document.getElementById(id);
 const canvas = byId("canvas");
 const here = new URL("./", import.meta.url);
 
-let studio = null, pictures = null, exports = null, controls = null, pending = 0, later = 0;
+let studio = null, pictures = null, exports = null, controls = null, pending = 0, later = 0, firstPicture = 0;
 
 // Calls a function of the program that takes texts and perhaps returns one.
 const call = (name, returns, ...texts) =>
@@ -36,7 +36,10 @@ function frame() {
   pending = 0;
   const more = studio._page_frame(...fitCanvas());
   controls.soon(studio._page_finished() === 1);
-  if (studio._page_pictures_taken() > 0) document.documentElement.dataset.state = "ready";
+  if (!firstPicture && studio._page_pictures_taken() > 0) {
+    firstPicture = performance.now();
+    document.documentElement.dataset.state = "ready";
+  }
   if (more === 1) wake();
   clearTimeout(later);
   if (more === 2) later = setTimeout(wake, 250);
@@ -191,13 +194,14 @@ async function begin() {
   const graphics = module._page_start(/Mac|iP(hone|ad|od)/.test(navigator.platform) ? 1 : 0);
   studio = module;
   const keys = listen(canvas, studio, wake, () => byId("file").click());
+  const set = (id, value) => {
+    const taken = call("page_set_control", "number", id, value) === 1;
+    wake();
+    return taken;
+  };
   controls = new Controls(byId("controls"), canvas, {
     read: () => call("page_controls", "string"),
-    set: (id, value) => {
-      const taken = call("page_set_control", "number", id, value) === 1;
-      wake();
-      return taken;
-    },
+    set,
     mark: (view) => { studio._page_mark_view(view); wake(); },
   });
   controls.onView = keys;
@@ -212,10 +216,12 @@ async function begin() {
   window.versorium = {
     get framesDrawn() { return studio._page_frames_drawn(); },
     get picturesTaken() { return studio._page_pictures_taken(); },
+    get firstPicture() { return firstPicture; }, // in milliseconds since the page was asked for
     get threads() { return threads; },
     get finished() { return studio._page_finished() === 1; },
     stop: () => studio._page_stop(),
     fragment: () => call("page_fragment", "string"),
+    set,
     controls: () => call("page_controls", "string"),
   };
   wakeAnew();
