@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The studio in a page. page.mjs calls page_start() once and page_frame() for every frame; a worker
 // of the page runs the same program and calls only what stands in page_worker.cpp.
-#include <GLES3/gl3.h>
 #include <emscripten/emscripten.h>
 #include <emscripten/html5.h>
 
@@ -9,9 +8,9 @@
 #include <optional>
 
 #include "imgui.h"
-#include "imgui_impl_opengl3.h"
 #include "page_host.h"
 #include "page_input.h"
+#include "ui/gl_canvas.h"
 #include "ui/software_canvas.h"
 #include "ui/studio.h"
 
@@ -33,8 +32,10 @@ constexpr int kSettle = 4;
 struct Page {
     PageHost host;
     Studio studio{host};
-    std::optional<SoftwareCanvas> canvas;  // where there is no WebGL 2
-    float scale = 0;                       // that letters were loaded for
+    // One of them: the second where there is no WebGL 2.
+    std::optional<GlCanvas> graphics;
+    std::optional<SoftwareCanvas> processor;
+    float scale = 0;  // that letters were loaded for
     int settle = kSettle;
     int frames = 0;
     int cursor = -1;
@@ -78,25 +79,24 @@ void tellPage() {
     page->typing = io.WantTextInput;
 }
 
+void takeFonts() {
+    if (page->graphics) page->graphics->takeFonts();
+    if (page->processor) page->processor->takeFonts();
+}
+
 void draw(int width, int height) {
     ImGuiIO& io = ImGui::GetIO();
     const double now = page->host.now();
     io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
     io.DeltaTime = static_cast<float>(std::clamp(now - page->last, 1e-4, 0.1));
     page->last = now;
-    if (!page->canvas) ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
     page->studio.frame();
     ImGui::Render();
     ++page->frames;
-    if (page->canvas) {
-        page->canvas->draw(*ImGui::GetDrawData(), {width, height});
-        return page_js_show(page->canvas->rgba().data(), width, height);
-    }
-    glViewport(0, 0, width, height);
-    glClearColor(0, 0, 0, 1);
-    glClear(GL_COLOR_BUFFER_BIT);
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    if (page->graphics) return page->graphics->draw(*ImGui::GetDrawData(), {width, height});
+    page->processor->draw(*ImGui::GetDrawData(), {width, height});
+    page_js_show(page->processor->rgba().data(), width, height);
 }
 
 }  // namespace
@@ -116,9 +116,9 @@ EMSCRIPTEN_KEEPALIVE int page_start(int apple) {
     io.GetClipboardTextFn = clipboardText;
     page = new Page;
     if (openGl)
-        ImGui_ImplOpenGL3_Init("#version 300 es");
+        page->graphics.emplace();
     else
-        page->canvas.emplace();
+        page->processor.emplace();
     return openGl ? 1 : 0;
 }
 
@@ -129,11 +129,7 @@ EMSCRIPTEN_KEEPALIVE int page_frame(int width, int height, float scale) {
     if (scale != page->scale || page->studio.wantsPrepare()) {
         page->studio.prepare(scale);
         page->scale = scale;
-        // They come back with the next frame, and the letters with them.
-        if (page->canvas)
-            page->canvas->takeFonts();
-        else
-            ImGui_ImplOpenGL3_DestroyDeviceObjects();
+        takeFonts();
         page->settle = kSettle;
     }
     if (takeInput()) page->settle = kSettle;
@@ -149,11 +145,12 @@ EMSCRIPTEN_KEEPALIVE void page_wake() { page->settle = kSettle; }
 // the old names for another's and report an error.
 EMSCRIPTEN_KEEPALIVE void page_context_lost() {
     page->lost = true;
-    ImGui_ImplOpenGL3_DestroyDeviceObjects();
+    if (page->graphics) page->graphics->contextLost();
     page->studio.contextLost();
 }
 EMSCRIPTEN_KEEPALIVE void page_context_restored() {
     page->lost = false;
+    takeFonts();
     page->settle = kSettle;
 }
 
