@@ -66,6 +66,11 @@ std::vector<Command> commandsOf(StudioContext& context) {
              c->workspace.maximised = !c->workspace.maximised;
              c->touch();
          }},
+        {"Fill the screen, or not", "Shift F",
+         [c] {
+             if (!c->host.toggleFullscreen())
+                 c->say("The screen cannot be filled from here: the desktop's own keys may do it");
+         }},
         {"One view", "", [c] { setViewCount(c->workspace, 1), c->touch(); }},
         {"Two views", "", [c] { setViewCount(c->workspace, 2), c->touch(); }},
         {"Four views", "", [c] { setViewCount(c->workspace, 4), c->touch(); }},
@@ -129,7 +134,7 @@ void handleKeys(StudioContext& context) {
     if (context.searchOpen || context.exportOpen) return;
     if (pressed(ImGuiKey_Home)) run("Home");
     if (pressed(ImGuiKey_Backspace)) run(io.KeyShift ? "Shift Backspace" : "Backspace");
-    if (pressed(ImGuiKey_F)) run("F");
+    if (pressed(ImGuiKey_F)) run(io.KeyShift ? "Shift F" : "F");
     if (pressed(ImGuiKey_P)) run("P");
     if (pressed(ImGuiKey_T)) run("T");
     if (pressed(ImGuiKey_Space)) run("Space");

@@ -103,13 +103,17 @@ class Collector {
 
 void collectMap(StudioContext& context, Collector& all) {
     all.begin("Map");
+    // Some maps share a title.
+    const auto called = [](const MapInfo& info) {
+        return std::string(info.title) + " (" + std::string(info.name) + ")";
+    };
     std::vector<std::string> names;
-    for (const MapKernels& map : catalogue()) names.emplace_back(map.info.title);
+    for (const MapKernels& map : catalogue()) names.push_back(called(map.info));
     StudioContext* c = &context;
-    all.choice("map", "map", std::string(mapOf(context.workspace.views[0]).info.title), names,
-               [c](const std::string& title) {
+    all.choice("map", "map", called(mapOf(context.workspace.views[0]).info), names,
+               [c, called](const std::string& name) {
                    for (const MapKernels& map : catalogue())
-                       if (map.info.title == title) return c->newMap(std::string(map.info.name));
+                       if (called(map.info) == name) return c->newMap(std::string(map.info.name));
                });
     // Nothing is chosen: a preset is a beginning, not a state.
     std::vector<std::string> presets = presetNames();

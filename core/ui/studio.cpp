@@ -253,7 +253,7 @@ Status Studio::openBytes(const std::string& name, std::span<const unsigned char>
 }
 
 Status Studio::openFragment(const std::string& fragment) {
-    if (fragment.empty() || fragment == state_->fragmentText) return {};
+    if (fragment.empty() || fragment == this->fragment()) return {};
     Expected<Workspace> workspace = workspaceFromLink(fragment);
     if (!workspace) {
         state_->context.report(workspace.status());

@@ -114,6 +114,13 @@ export function makeHost({ studio, wake, address, pictures, exports }) {
       }
     },
     setFragment: (fragment) => address.set(fragment),
+    fullscreen() {
+      if (!document.fullscreenEnabled) return false;
+      const refused = () => announce("The browser did not fill the screen.");
+      if (document.fullscreenElement) document.exitFullscreen().catch(refused);
+      else document.documentElement.requestFullscreen().catch(refused);
+      return true;
+    },
     reducedMotion: () => matchMedia("(prefers-reduced-motion: reduce)").matches,
     announce,
     cursor(index) {

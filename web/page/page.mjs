@@ -168,15 +168,18 @@ function programHere() {
   return { root: new URL("threads/", here), size: threads, threads: Math.min(8, processors) };
 }
 
+// A part of the program, of this build.
+const partOf = (root, name) => new URL(`${name}?build=${meta("versorium-build")}`, root);
+
 async function begin() {
   const { root, size, threads } = programHere();
   const [program, { default: create }] = await Promise.all([
-    compileProgram(new URL("versorium_studio.wasm", root), size, showBytes),
-    import(new URL("versorium_studio.mjs", root)),
+    compileProgram(partOf(root, "versorium_studio.wasm"), size, showBytes),
+    import(partOf(root, "versorium_studio.mjs")),
   ]);
   byId("loaded").textContent = "Starting …";
   const address = new Address(openFragment);
-  const start = { program, root: root.href, threads };
+  const start = { program, root: root.href, build: meta("versorium-build"), threads };
   pictures = new Pictures(start, deliverPicture);
   let module = null;
   const page = makeHost({
@@ -184,7 +187,7 @@ async function begin() {
   });
   module = await create({
     page, threads: 0, instantiateWasm: instantiation(program),
-    locateFile: (name) => new URL(name, root).href,
+    locateFile: (name) => partOf(root, name).href,
     onAbort: (what) => showMessage(`The program stopped: ${what}. Load the page again.`),
   });
   exports = new Export(start, {
@@ -230,6 +233,12 @@ async function begin() {
 // Later visits come from the browser's own store, and work without a network.
 function keepForLater() {
   if (!("serviceWorker" in navigator) || !window.isSecureContext) return;
+  // The first one that comes brings nothing new.
+  let before = navigator.serviceWorker.controller;
+  navigator.serviceWorker.addEventListener("controllerchange", () => {
+    if (before) showMessage("There is a new version of this page: load it again to have it.");
+    before = navigator.serviceWorker.controller;
+  });
   navigator.serviceWorker.register(new URL("service_worker.js", here)).catch(() => {});
 }
 

@@ -2,7 +2,8 @@
 // The page's side of the workers: live pictures in one that stays, an export in one made for it.
 
 function openWorker(start) {
-  const worker = new Worker(new URL("worker.mjs", import.meta.url), { type: "module" });
+  const address = new URL(`worker.mjs?build=${start.build}`, import.meta.url);
+  const worker = new Worker(address, { type: "module" });
   worker.postMessage(start);
   return worker;
 }

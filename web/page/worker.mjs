@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Computes pictures and exports beside the page: one task after the other, with the page's program.
-// In: {program, root, threads} first, then {id, task: "picture" | "export", …}; {cancel: id} gives
+// In: {program, root, build, threads} first, then {id, task: "picture" | "export", …}; {cancel: id} gives
 // up that task, where the program has threads to hear it.
 // Out: {id, …} for each task, {progress} now and then.
-import { instantiation } from "./load.mjs";
 
 let studio, done, threads, running;
 
 async function open(start) {
-  const { default: create } = await import(start.root + "versorium_studio.mjs");
+  const partOf = (name) => `${start.root}${name}?build=${start.build}`;
+  const { default: create } = await import(partOf("versorium_studio.mjs"));
+  const { instantiation } = await import("./load.mjs" + location.search);
   threads = start.threads;
   return create({
     instantiateWasm: instantiation(start.program),
-    locateFile: (name) => start.root + name,
-    mainScriptUrlOrBlob: start.root + "versorium_studio.mjs",
+    locateFile: partOf,
+    mainScriptUrlOrBlob: partOf("versorium_studio.mjs"),
     threads,
     progress: (progress) => postMessage({ progress }),
     done: (bytes, message, seconds) => done({ bytes, message, seconds }),
