@@ -1,15 +1,27 @@
-# Puts the page together: cmake -DPAGE=… -DBUILT=… -DTHREADS=… -DDIST=… -P assemble.cmake
+# Puts the page together:
+# cmake -DPAGE=… -DBUILT=… -DTHREADS=… -DDIST=… -DPYTHON=… -P assemble.cmake
 # BUILT is the program without threads. THREADS is the one with them, which goes into threads/ where
-# it was built. index.html learns the length of each, the service worker all names, and both a hash of all.
+# it was built. Programs are packed by gzip here, for many hosts send files as they are.
+# index.html learns the length of each, the service worker all names, and both a hash of all.
 file(REMOVE_RECURSE "${DIST}")
 file(MAKE_DIRECTORY "${DIST}")
-file(COPY "${BUILT}/versorium_studio.mjs" "${BUILT}/versorium_studio.wasm" DESTINATION "${DIST}")
-file(SIZE "${DIST}/versorium_studio.wasm" PROGRAM_SIZE)
+
+# The length of what came out, in `size`.
+function(take_program from to size)
+    set(packed "${to}/versorium_studio.packed")
+    file(COPY "${from}/versorium_studio.mjs" DESTINATION "${to}")
+    execute_process(COMMAND "${PYTHON}" -c "import gzip, pathlib, sys
+source, target = map(pathlib.Path, sys.argv[1:])
+target.write_bytes(gzip.compress(source.read_bytes(), 9, mtime=0))"
+        "${from}/versorium_studio.wasm" "${packed}" COMMAND_ERROR_IS_FATAL ANY)
+    file(SIZE "${packed}" length)
+    set(${size} ${length} PARENT_SCOPE)
+endfunction()
+take_program("${BUILT}" "${DIST}" PROGRAM_SIZE)
 set(THREADS_SIZE "")
 if(EXISTS "${THREADS}/versorium_studio.wasm")
-    file(COPY "${THREADS}/versorium_studio.mjs" "${THREADS}/versorium_studio.wasm"
-        "${THREADS}/versorium_studio.worker.js" DESTINATION "${DIST}/threads")
-    file(SIZE "${DIST}/threads/versorium_studio.wasm" THREADS_SIZE)
+    take_program("${THREADS}" "${DIST}/threads" THREADS_SIZE)
+    file(COPY "${THREADS}/versorium_studio.worker.js" DESTINATION "${DIST}/threads")
 endif()
 file(GLOB names RELATIVE "${PAGE}" "${PAGE}/*")
 foreach(name IN LISTS names)

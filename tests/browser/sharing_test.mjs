@@ -23,6 +23,7 @@ execFileSync("python3", ["-m", "zipfile", "-e", join(folder, "page.zip"), unpack
 const types = {
   ".html": "text/html", ".css": "text/css", ".js": "text/javascript", ".mjs": "text/javascript",
   ".wasm": "application/wasm", ".svg": "image/svg+xml", ".webmanifest": "application/manifest+json",
+  ".packed": "application/octet-stream",
 };
 const course = "/course/week%203/";
 function serve(answer) {

@@ -16,6 +16,7 @@ const { dist, browser, launch } = await prepare(root);
 const types = {
   ".html": "text/html", ".css": "text/css", ".js": "text/javascript", ".mjs": "text/javascript",
   ".wasm": "application/wasm", ".svg": "image/svg+xml", ".webmanifest": "application/manifest+json",
+  ".packed": "application/octet-stream",
 };
 const outer =
   '<!doctype html><body style="height:3000px"><iframe src="some/folder/" width="1000" height="600"></iframe>';

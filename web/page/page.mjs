@@ -174,7 +174,7 @@ const partOf = (root, name) => new URL(`${name}?build=${meta("versorium-build")}
 async function begin() {
   const { root, size, threads } = programHere();
   const [program, { default: create }] = await Promise.all([
-    compileProgram(partOf(root, "versorium_studio.wasm"), size, showBytes),
+    compileProgram(partOf(root, "versorium_studio.packed"), size, showBytes),
     import(partOf(root, "versorium_studio.mjs")),
   ]);
   byId("loaded").textContent = "Starting …";
