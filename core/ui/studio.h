@@ -22,7 +22,7 @@ class Studio {
     // atlas anew.
     void prepare(float scale);
 
-    // One frame. All drawing goes into ImGui's lists; textures are made through OpenGL ES 3.
+    // One frame. All drawing goes into ImGui's lists; textures are those of ui/texture.h.
     void frame();
     // The theme has changed: prepare() is due before the next frame.
     bool wantsPrepare() const;
