@@ -195,7 +195,7 @@ const tests = {
       await page.keyboard.press(key);
       await changed(page, before);
     }
-    await waitFor(page, () => /View 2, starting points .* escapes at step/.test(document.getElementById("said").textContent));
+    await waitFor(page, () => /View 2, starting points .* escapes at step/.test(document.getElementById("shown").textContent));
     // A choice, a number by strokes and by typing, a switch.
     const state = async () => JSON.parse(await page.evaluate(() => versorium.controls())).controls;
     const value = async (id) => (await state()).find((control) => control.id === id).value;
@@ -227,8 +227,10 @@ const tests = {
     const now = await fragment(page);
     await page.keyboard.press("Enter");
     await changed(page, now);
-    const fields = await page.$$eval(".field", (all) => all.map((field) => field.dataset.id));
-    assert.deepEqual(fields, (await state()).map((control) => control.id));
+    await waitFor(page, () => {
+      const ids = [...document.querySelectorAll(".field")].map((field) => field.dataset.id);
+      return String(ids) === String(JSON.parse(versorium.controls()).controls.map(({ id }) => id));
+    });
     await page.keyboard.press("Escape");
     assert.equal(await page.evaluate(() => document.activeElement.id), "canvas");
     assert.deepEqual(page.faults, []);

@@ -69,7 +69,7 @@ export class Controls {
     Object.assign(this, { home, canvas, read, set, mark });
     this.fields = new Map();
     this.views = [];
-    this.shape = this.text = this.said = "";
+    this.shape = this.text = this.sentence = "";
     home.addEventListener("keydown", (event) => {
       if (event.key === "Escape") canvas.focus({ preventScroll: true });
     });
@@ -100,7 +100,8 @@ export class Controls {
       this.sentence = views[focused]?.text ?? "";
     }
     // Only what came to rest is spoken.
-    if (this.resting && this.sentence !== this.said) announce((this.said = this.sentence));
+    const shown = document.getElementById("shown");
+    if (this.resting && this.sentence !== shown.textContent) shown.textContent = this.sentence;
   }
 
   // The control that has the focus keeps it, where it is still there.
