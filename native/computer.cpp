@@ -29,6 +29,12 @@ void Computer::request(PictureRequest request) {
     changed_.notify_all();
 }
 
+void Computer::drop(int view) {
+    const std::lock_guard lock(mutex_);
+    if (computing_ == view && job_) job_->cancel();
+    waiting_[static_cast<std::size_t>(view)].reset();
+}
+
 std::optional<PictureAnswer> Computer::take() {
     const std::lock_guard lock(mutex_);
     if (answers_.empty()) return std::nullopt;

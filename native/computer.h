@@ -23,6 +23,7 @@ class Computer {
 
     void request(PictureRequest request);
     std::optional<PictureAnswer> take();
+    void drop(int view);
 
     // `write` puts the bytes where they belong and says where that is.
     void startExport(ExportRequest request,

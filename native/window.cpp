@@ -41,6 +41,7 @@ class WindowHost final : public Host {
     }
     void requestPicture(PictureRequest request) override { computer_.request(std::move(request)); }
     std::optional<PictureAnswer> takePicture() override { return computer_.take(); }
+    void dropPicture(int view) override { computer_.drop(view); }
     void startExport(ExportRequest request) override {
         const std::string name = request.name;
         computer_.startExport(

@@ -63,7 +63,6 @@ std::optional<PictureAnswer> PageHost::takePicture() {
     if (answers_.empty()) return std::nullopt;
     PictureAnswer answer = std::move(answers_.front());
     answers_.pop_front();
-    ++taken_;
     return answer;
 }
 

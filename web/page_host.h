@@ -44,12 +44,10 @@ class PageHost : public Host {
     void answer(PictureAnswer answer) { answers_.push_back(std::move(answer)); }
     void exportMoved(double progress) { progress_ = progress; }
     void exportEnded(Expected<std::string> outcome);
-    int picturesTaken() const { return taken_; }
 
   private:
     std::string clipboard_;
     std::deque<PictureAnswer> answers_;
-    int taken_ = 0;
     double progress_ = -1;
     std::optional<Expected<std::string>> exported_;
 };

@@ -66,8 +66,11 @@ bool openContext() {
     attributes.antialias = false;
     const EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context =
         emscripten_webgl_create_context("#canvas", &attributes);
-    return context > 0 &&
-           emscripten_webgl_make_context_current(context) == EMSCRIPTEN_RESULT_SUCCESS;
+    if (context <= 0 || emscripten_webgl_make_context_current(context) != EMSCRIPTEN_RESULT_SUCCESS)
+        return false;
+    // The device's name: whether it is one, or a driver that computes in software.
+    emscripten_webgl_enable_extension(context, "WEBGL_debug_renderer_info");
+    return true;
 }
 
 void tellPage() {
@@ -211,6 +214,6 @@ EMSCRIPTEN_KEEPALIVE int page_frames_drawn() { return page->frames; }
 EMSCRIPTEN_KEEPALIVE int page_typing() { return page->typing ? 1 : 0; }
 EMSCRIPTEN_KEEPALIVE int page_finished() { return page->studio.finished() ? 1 : 0; }
 EMSCRIPTEN_KEEPALIVE void page_stop() { page->studio.stopAnimation(); }
-EMSCRIPTEN_KEEPALIVE int page_pictures_taken() { return page->host.picturesTaken(); }
+EMSCRIPTEN_KEEPALIVE int page_pictures_taken() { return page->studio.pictures(); }
 
 }  // extern "C"

@@ -18,8 +18,13 @@ constexpr double kShortestDraw = 0.004;
 constexpr double kLongestDraw = 0.03;
 constexpr int kLeastSteps = 16;      // per draw: reading and writing a pixel cost about one
 constexpr double kFirstRate = 5e6;   // cautious: a slow processor's, for an expensive map
-constexpr double kGrowth = 1.5;      // of the rate from draw to draw
+constexpr double kGrowth = 2;        // of the rate from draw to draw
 constexpr double kAboveSlowest = 3;  // rows of escaped orbits are fast, the next may not be
+// Where fences are only looked at between frames, a draw that ended within a frame's time may have
+// taken any part of it.
+constexpr double kFrame = 0.025;
+constexpr double kBlindGrowth = 3;
+constexpr double kForgetting = 1.02;
 
 double now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
@@ -65,8 +70,10 @@ Status GpuPicture::start(const Scene& scene, const OrbitProgram& program, Size s
     if (!orbits) return orbits.status();
     const std::string before = std::move(orbits_.shaderText);
     orbits_ = std::move(*orbits);
-    if (before != orbits_.shaderText) rate_ = kFirstRate;
-    slowest_ = std::numeric_limits<double>::infinity();
+    if (before != orbits_.shaderText) {
+        rate_ = kFirstRate;
+        slowest_ = std::numeric_limits<double>::infinity();
+    }
     size_ = size;
     options_ = options;
     bound_ = false;
@@ -121,7 +128,7 @@ bool GpuPicture::recover() {
 }
 
 // Whether all that a draw needs is there. False while a program is being compiled, and on failure.
-bool GpuPicture::ready(GLuint& program) {
+bool GpuPicture::ready(GLuint& program, bool wait) {
     const auto fail = [&](Status status) {
         status_ = std::move(status);
         state_ = State::failed;
@@ -129,8 +136,8 @@ bool GpuPicture::ready(GLuint& program) {
     };
     if (!recover()) return fail(status_);
     // Both are asked for, so that both compile at once.
-    const GpuRenderer::Program colours = renderer_.program(colourText_);
-    const GpuRenderer::Program orbits = renderer_.program(orbits_.shaderText);
+    const GpuRenderer::Program colours = renderer_.program(colourText_, wait);
+    const GpuRenderer::Program orbits = renderer_.program(orbits_.shaderText, wait);
     if (!colours.status.ok()) return fail(colours.status);
     if (!orbits.status.ok()) return fail(orbits.status);
     if (colours.compiling() || orbits.compiling()) {
@@ -207,10 +214,31 @@ bool GpuPicture::awaitUnit(double seconds, double target) {
     }
     const double took = std::max(now() - issued_, 1e-5);
     const double measured = workIssued_ / took;
+    const bool blind = renderer_.limits().longestWait == 0;
     // Short draws measure the driver's latency, not the work.
-    if (took > 0.25 * target) slowest_ = std::min(slowest_, measured);
-    rate_ = std::min({measured, rate_ * kGrowth, slowest_ * kAboveSlowest});
+    // A fence that was passed before anybody looked only says that the draw took no longer.
+    const bool seen = blind || result != GL_ALREADY_SIGNALED;
+    if (!seen && took > target) return true;
+    const bool tells = seen && took > (blind ? kFrame : 0.25 * target);
+    // A draw that another program held up is forgotten after a while.
+    slowest_ *= kForgetting;
+    if (tells) slowest_ = std::min(slowest_, measured);
+    const double grown = rate_ * (blind ? kBlindGrowth : kGrowth);
+    rate_ = std::min({tells ? measured : grown, grown, slowest_ * kAboveSlowest});
     return true;
+}
+
+Status GpuPicture::finish() {
+    if (state_ == State::empty) return Status::usage("there is no picture to finish");
+    GLuint program = 0;
+    while (state_ == State::iterating || state_ == State::compiling) {
+        if (!ready(program, true)) break;
+        if (fence_) glDeleteSync(fence_);
+        fence_ = nullptr;
+        drawUnit(program, kLongestDraw);
+        glFinish();
+    }
+    return status_;
 }
 
 bool GpuPicture::advance(double budgetSeconds) {

@@ -46,6 +46,9 @@ class GpuPicture {
     // kept below about 50 ms, and may outlast the budget by that.
     bool advance(double budgetSeconds);
 
+    // Works to the end, however long it takes: for where there are no frames to be drawn between.
+    Status finish();
+
     State state() const { return state_; }
     // Why it failed.
     const Status& status() const { return status_; }
@@ -55,6 +58,8 @@ class GpuPicture {
     // sRGB, opaque, of the size that was asked for; 0 before the first orbits are there.
     GLuint texture();
     Size size() const { return size_; }
+    // The same, copied into a texture of the caller's; false before the first orbits are there.
+    bool copyInto(GLuint texture);
 
     // What was measured, one value a sample (the versor: as many as a state has numbers). For tests
     // and probes: it waits for the graphics processor.
@@ -76,7 +81,7 @@ class GpuPicture {
     void uploadPalette();
     void bindOrbitInputs(GLuint program);
     bool recover();
-    bool ready(GLuint& program);
+    bool ready(GLuint& program, bool wait = false);
     void drawUnit(GLuint program, double target);
     bool awaitUnit(double seconds, double target);
     Status colourInto(GLuint frame, Size size, int rule, FieldName shown, int samples);

@@ -288,6 +288,17 @@ GLuint GpuPicture::texture() {
     return names_.picture;
 }
 
+bool GpuPicture::copyInto(GLuint target) {
+    if (texture() == 0) return false;
+    glBindFramebuffer(GL_FRAMEBUFFER, names_.pictureFrame);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, target);
+    glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 0, 0, size_.width, size_.height, 0);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    return true;
+}
+
 Status GpuPicture::readFields(const std::vector<FieldName>& fields,
                               std::vector<Raster<float>>& rasters) {
     if (!anyOrbits_ || generation_ != renderer_.generation())

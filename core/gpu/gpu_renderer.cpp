@@ -9,6 +9,7 @@ namespace {
 // Of extensions that the plain header does not know.
 constexpr GLenum kCompletionStatus = 0x91B1;   // KHR_parallel_shader_compile
 constexpr GLenum kLongestClientWait = 0x9247;  // WebGL 2 only
+constexpr GLenum kUnmaskedRenderer = 0x9246;   // WEBGL_debug_renderer_info
 constexpr GLuint64 kLongestNativeWait = 1000000000;
 constexpr std::size_t kMostPrograms = 64;
 constexpr std::size_t kLongestLog = 2000;
@@ -46,6 +47,13 @@ GLuint shader(GLenum kind, const char* source) {
     return name;
 }
 
+bool computesInSoftware(const std::string& device) {
+    for (const char* word :
+         {"llvmpipe", "softpipe", "swrast", "SwiftShader", "Basic Render", "Software", "software"})
+        if (device.find(word) != std::string::npos) return true;
+    return false;
+}
+
 void clearErrors() {
     // A lost context gives errors for ever.
     for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i) {
@@ -60,6 +68,11 @@ Status GpuRenderer::prepare() {
     clearErrors();
     limits_ = {};
     limits_.device = text(GL_RENDERER);
+    // A browser may hide the device's name behind an extension of its own.
+    if (hasExtension("WEBGL_debug_renderer_info"))
+        if (const std::string name = text(kUnmaskedRenderer); !name.empty()) limits_.device = name;
+    clearErrors();
+    limits_.software = computesInSoftware(limits_.device);
     const std::string version = text(GL_VERSION);
     if (version.find("OpenGL ES 3") == std::string::npos &&
         version.find("WebGL 2") == std::string::npos) {
@@ -102,6 +115,7 @@ void GpuRenderer::begin(Entry& entry, const std::string& fragmentText) {
     glAttachShader(entry.name, entry.vertex);
     glAttachShader(entry.name, entry.fragment);
     glLinkProgram(entry.name);
+    entry.begun = true;
 }
 
 void GpuRenderer::finish(Entry& entry) {
@@ -127,22 +141,29 @@ void GpuRenderer::finish(Entry& entry) {
     entry.linked = true;
 }
 
-GpuRenderer::Program GpuRenderer::program(const std::string& fragmentText) {
+GpuRenderer::Program GpuRenderer::program(const std::string& fragmentText, bool wait) {
     auto found = programs_.find(fragmentText);
     if (found == programs_.end()) {
         // Far more than the maps there are; shapes of many forms could fill it otherwise.
         if (programs_.size() >= kMostPrograms) {
-            for (const auto& [own, entry] : programs_)
+            for (const auto& [own, entry] : programs_) {
                 if (entry.name) glDeleteProgram(entry.name);
+                if (entry.begun && !entry.linked) {
+                    glDeleteShader(entry.vertex);
+                    glDeleteShader(entry.fragment);
+                }
+            }
             programs_.clear();
         }
         found = programs_.emplace(fragmentText, Entry{}).first;
-        begin(found->second, fragmentText);
+        if (!limits_.parallelCompile && !wait) return {};
     }
     Entry& entry = found->second;
+    if (!entry.begun) begin(entry, fragmentText);
     if (!entry.linked) {
         GLint complete = 1;
-        if (limits_.parallelCompile) glGetProgramiv(entry.name, kCompletionStatus, &complete);
+        if (limits_.parallelCompile && !wait)
+            glGetProgramiv(entry.name, kCompletionStatus, &complete);
         if (!complete) return {};
         finish(entry);
     }

@@ -23,6 +23,8 @@ struct GpuLimits {
     bool parallelCompile = false;  // KHR_parallel_shader_compile
     GLuint64 longestWait = 0;      // ns that a fence may be waited for; 0 in a browser
     std::string device;
+    // The driver computes on the processor, slower than the project's own kernels do.
+    bool software = false;
 };
 
 class GpuRenderer {
@@ -40,13 +42,15 @@ class GpuRenderer {
     // Grows with every `forget`.
     int generation() const { return generation_; }
 
-    // The program of this fragment shader. `name` is 0 while it is being compiled.
+    // The program of this fragment shader. `name` is 0 while it is being compiled; where the driver
+    // compiles within the call, the first answer is that too, so that a frame can say so. `wait`
+    // stays until it is there.
     struct Program {
         GLuint name = 0;
         Status status;
         bool compiling() const { return name == 0 && status.ok(); }
     };
-    Program program(const std::string& fragmentText);
+    Program program(const std::string& fragmentText, bool wait = false);
 
     // Fills the viewport with the current program.
     void drawQuad();
@@ -56,7 +60,7 @@ class GpuRenderer {
   private:
     struct Entry {
         GLuint vertex = 0, fragment = 0, name = 0;
-        bool linked = false;
+        bool begun = false, linked = false;
         Status status;
     };
     void begin(Entry& entry, const std::string& fragmentText);

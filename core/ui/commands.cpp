@@ -101,6 +101,7 @@ std::vector<Command> commandsOf(StudioContext& context) {
              c->fontsChanged = true;
              c->host.wake();
          }},
+        {"Who draws: automatic, graphics processor or processor", "G", [c] { c->nextRenderer(); }},
         {"The list of keys", "?", [c] { c->keysOpen = !c->keysOpen; }},
     };
     for (int k = 0; k < kMostViews; ++k)
@@ -137,6 +138,7 @@ void handleKeys(StudioContext& context) {
     if (pressed(ImGuiKey_F)) run(io.KeyShift ? "Shift F" : "F");
     if (pressed(ImGuiKey_P)) run("P");
     if (pressed(ImGuiKey_T)) run("T");
+    if (pressed(ImGuiKey_G)) run("G");
     if (pressed(ImGuiKey_Space)) run("Space");
     if (pressed(ImGuiKey_Period, true)) run(".");
     if (pressed(ImGuiKey_Comma, true)) run(",");

@@ -6,10 +6,12 @@
 
 #include "io/document.h"
 #include "render/picture.h"
+#include "ui/texture.h"
 
 namespace versorium {
 namespace {
 
+constexpr std::array<const char*, 3> kRendererWords = {"automatic", "graphics", "processor"};
 constexpr double kLeastHeight = 1e-13, kMostHeight = 1e6;
 
 Workspace firstWorkspace() {
@@ -41,7 +43,11 @@ std::string documentText(const Scene& scene, Size size) {
 }  // namespace
 
 StudioContext::StudioContext(Host& shell)
-    : host(shell), workspace(firstWorkspace()), history(workspace) {}
+    : host(shell), workspace(firstWorkspace()), history(workspace) {
+    const std::string stored = host.stored("renderer");
+    for (std::size_t k = 0; k < kRendererWords.size(); ++k)
+        if (stored == kRendererWords[k]) renderer = static_cast<RendererChoice>(k);
+}
 
 void StudioContext::touch() {
     ++revision;
@@ -154,6 +160,30 @@ void StudioContext::pan(int view, double widths, double heights) {
     scene.slice.centre[0] += widths * height * wide / tall;
     if (scene.slice.centre.size() > 1) scene.slice.centre[1] += heights * height;
     touch();
+}
+
+void StudioContext::choose(RendererChoice choice) {
+    renderer = choice;
+    host.store("renderer", kRendererWords[static_cast<std::size_t>(choice)]);
+    host.wake();
+}
+
+void StudioContext::nextRenderer() {
+    choose(static_cast<RendererChoice>((static_cast<std::size_t>(renderer) + 1) %
+                                       kRendererWords.size()));
+    const char* said[] = {"Drawn by whoever is faster", "Drawn by the graphics processor",
+                          "Drawn by the processor"};
+    say(said[static_cast<std::size_t>(renderer)]);
+}
+
+GpuUse StudioContext::gpuUse() {
+    if (renderer == RendererChoice::processor) return {nullptr, "chosen by you"};
+    if (!drawsWithOpenGl()) return {nullptr, "there is no OpenGL here"};
+    if (const Status status = gpu.prepare(); !status.ok()) return {nullptr, status.message()};
+    if (renderer == RendererChoice::automatic && gpu.limits().software)
+        return {nullptr, "faster here than the graphics driver, which computes in software (" +
+                             gpu.limits().device + ")"};
+    return {&gpu, {}};
 }
 
 void StudioContext::copyLink() {

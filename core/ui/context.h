@@ -28,7 +28,7 @@ struct Visits {
 
 struct ViewState {
     LivePicture picture;
-    std::string text;  // of the scene, made anew when the revision is
+    std::string text, orbits;  // LiveScene's, made anew when the revision is
     std::uint64_t revision = 0;
     double aspect = 0;  // that the text was made for
     Visits visits;
@@ -43,12 +43,18 @@ struct Probe {
     std::string text;
 };
 
+// Who draws live pictures: automatic is the graphics processor, unless its driver computes in
+// software.
+enum class RendererChoice { automatic, graphics, processor };
+
 struct StudioContext {
     explicit StudioContext(Host& host);
 
     Host& host;
     Workspace workspace;
     History history;
+    GpuRenderer gpu;  // before the views, whose pictures are made with it
+    RendererChoice renderer = RendererChoice::automatic;
     std::array<ViewState, kMostViews> views;
     std::uint64_t revision = 1;
     bool touched = false;
@@ -82,6 +88,9 @@ struct StudioContext {
     void home(int view);
     void zoom(int view, double factor, double u, double v);  // the point (u, v) stays where it is
     void pan(int view, double widths, double heights);
+    void choose(RendererChoice choice);
+    void nextRenderer();
+    GpuUse gpuUse();
     void copyLink();
     void saveScene();
     void startExport();

@@ -53,6 +53,8 @@ class Host {
     // Computes beside the studio, never within its frame.
     virtual void requestPicture(PictureRequest request) = 0;
     virtual std::optional<PictureAnswer> takePicture() = 0;
+    // Nobody waits for this view's picture any more.
+    virtual void dropPicture(int /*view*/) {}
 
     // One export at a time; takeExport gives its outcome once: where the file is, or what failed.
     virtual void startExport(ExportRequest request) = 0;

@@ -12,39 +12,120 @@ namespace {
 // A coarse picture should take about this long, and no longer than a tenth of a second.
 constexpr double kCoarseSeconds = 0.05;
 constexpr int kCoarsest = 16;
+// Orbits of a picture that are kept on the graphics processor: 80 bytes each.
+constexpr double kMostOrbits = 4.2e6;
+// A first picture that takes longer is shown before all its iterations are there, this often.
+constexpr double kShowEvery = 0.25;
+// What lies behind colours that are not opaque, in linear light: the ground of a view.
+constexpr Colour kGround{0.0030, 0.0033, 0.0048, 1};
 
 std::uint64_t nextId() {
     static std::uint64_t last = 0;
     return ++last;
 }
 
-}  // namespace
-
-void LivePicture::want(Host& host, int view, const std::string& scene, const Viewport& place,
-                       int finestSamples) {
-    if (place.size.width < 1 || place.size.height < 1) return;
-    const bool same = scene == wanted_ && place.size == place_.size;
-    if (same && (waiting() || stage_ == kFinished)) return;
-    if (!same) {
-        wanted_ = scene;
-        place_ = place;
-        stage_ = 0;
-        message_.clear();
-    }
-    finest_ = finestSamples;
-    ask(host, view);
+void makeTexture(GLuint& name) {
+    if (name == 0) glGenTextures(1, &name);
+    glBindTexture(GL_TEXTURE_2D, name);
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
 }
 
-void LivePicture::ask(Host& host, int view) {
-    askedDivisor_ = stage_ == 0 ? divisor_ : 1;
-    const auto coarse = [&](int length) { return std::max(1, length / askedDivisor_); };
-    PictureRequest request;
-    request.view = view;
-    request.id = asked_ = nextId();
-    request.scene = wanted_;
-    request.size = {coarse(place_.size.width), coarse(place_.size.height)};
-    request.samples = stage_ == 2 ? finest_ : 1;
-    host.requestPicture(std::move(request));
+}  // namespace
+
+void LivePicture::Pace::learn(double points, double all, double seconds) {
+    // The next coarse picture is made as fine as its time allows.
+    const double rate = points / std::max(seconds, 1e-4);
+    divisor = std::clamp(static_cast<int>(std::ceil(std::sqrt(all / (rate * kCoarseSeconds)))), 1,
+                         kCoarsest);
+}
+
+void LivePicture::want(Host& host, const GpuUse& gpu, int view, const LiveScene& scene) {
+    const Size size = scene.place.size;
+    if (size.width < 1 || size.height < 1) return;
+    const bool same = scene.text == wanted_ && size == place_.size && gpu.renderer == wantedFrom_;
+    if (same && (waiting() || stage_ == kFinished)) return;
+    if (!same) {
+        const bool onlyColours = gpu.renderer && gpu.renderer == wantedFrom_ &&
+                                 size == place_.size && scene.orbits == gpuOrbits_;
+        wanted_ = scene.text;
+        wantedFrom_ = gpu.renderer;
+        place_ = scene.place;
+        finest_ = scene.scene.samples;
+        if (asked_ != 0) host.dropPicture(view);
+        asked_ = 0;
+        message_.clear();
+        if (onlyColours && recolour(gpu, scene)) return;
+        stage_ = 0;
+        gpuWorking_ = false;
+    }
+    ask(host, gpu, view, scene);
+}
+
+void LivePicture::ask(Host& host, const GpuUse& gpu, int view, const LiveScene& scene) {
+    const auto request = [&](const Pace& pace) {
+        askedDivisor_ = stage_ == 0 ? pace.divisor : 1;
+        return Size{std::max(1, place_.size.width / askedDivisor_),
+                    std::max(1, place_.size.height / askedDivisor_)};
+    };
+    const int samples = stage_ == 2 ? finest_ : 1;
+    byGpu_ = askGpu(host, gpu, scene, request(gpuPace_), samples);
+    if (byGpu_) return;
+    const Size size = request(hostPace_);
+    asked_ = nextId();
+    host.requestPicture({view, asked_, wanted_, size, samples});
+}
+
+bool LivePicture::askGpu(Host& host, const GpuUse& gpu, const LiveScene& scene, Size size,
+                         int samples) {
+    gpuOrbits_.clear();
+    why_ = gpu.whyNot;
+    if (!gpu.renderer) return false;
+    if (wanted_ == refused_) {
+        why_ = refusedWhy_;
+        return false;
+    }
+    if (1.0 * size.width * size.height * samples * samples > kMostOrbits) {
+        // What it has drawn so far stays; the last refinement is left to the processor.
+        why_ = "so many samples would take too much graphics memory";
+        return false;
+    }
+    if (!scene.program) {
+        why_ = "its shape is made into a distance grid there";
+        return false;
+    }
+    if (!gpu_) gpu_ = std::make_unique<GpuPicture>(*gpu.renderer);
+    if (Status status = gpu_->start(scene.scene, *scene.program, size, {samples, kGround});
+        !status.ok()) {
+        constexpr std::string_view kPrefix = "the CPU draws this: ";
+        why_ = status.message();
+        if (why_.starts_with(kPrefix)) why_.erase(0, kPrefix.size());
+        return false;
+    }
+    gpuOrbits_ = scene.orbits;
+    gpuStage_ = stage_;
+    gpuWorking_ = true;
+    gpuSince_ = shownAt_ = host.now();
+    return true;
+}
+
+bool LivePicture::recolour(const GpuUse&, const LiveScene& scene) {
+    if (!gpu_->recolour(scene.scene).ok()) return false;
+    byGpu_ = true;
+    stage_ = gpuStage_;
+    if (gpuWorking_) return true;
+    if (gpu_->state() != GpuPicture::State::finished || !show()) return false;
+    arrived();
+    return true;
+}
+
+// The stage that was asked for is there.
+void LivePicture::arrived() {
+    // What was fine at once needs no second round.
+    stage_ = stage_ == 0 && askedDivisor_ == 1 ? 2 : stage_ + 1;
+    if (stage_ == 2 && finest_ <= 1) stage_ = kFinished;
 }
 
 void LivePicture::take(PictureAnswer answer) {
@@ -55,22 +136,61 @@ void LivePicture::take(PictureAnswer answer) {
         stage_ = kFinished;
         return;
     }
-    seconds_ = answer.seconds;
-    if (stage_ == 0) {
-        // The next coarse picture is made as fine as its time allows.
-        const double points = static_cast<double>(answer.size.width) * answer.size.height;
-        const double all = static_cast<double>(place_.size.width) * place_.size.height;
-        const double rate = points / std::max(answer.seconds, 1e-4);
-        divisor_ = std::clamp(static_cast<int>(std::ceil(std::sqrt(all / (rate * kCoarseSeconds)))),
-                              1, kCoarsest);
-    }
-    // What was fine at once needs no second round.
-    stage_ = stage_ == 0 && askedDivisor_ == 1 ? 2 : stage_ + 1;
-    if (stage_ == 2 && finest_ <= 1) stage_ = kFinished;
+    if (stage_ == 0)
+        hostPace_.learn(1.0 * answer.size.width * answer.size.height,
+                        1.0 * place_.size.width * place_.size.height, answer.seconds);
+    arrived();
     pixels_ = std::move(answer.rgba);
     pixelSize_ = answer.size;
+    ++pictures_;
     shown_ = place_;
     upload_ = true;
+}
+
+void LivePicture::work(Host& host, double seconds) {
+    if (!gpuWorking_) return;
+    const bool ended = gpu_->advance(seconds);
+    const double now = host.now();
+    if (compiling()) gpuSince_ = shownAt_ = now;
+    if (!ended) {
+        if (stage_ == 0 && now - shownAt_ > kShowEvery && show()) shownAt_ = now;
+        return;
+    }
+    gpuWorking_ = false;
+    if (gpu_->state() != GpuPicture::State::finished || !show()) {
+        refused_ = wanted_;  // the next want() asks the host
+        refusedWhy_ = gpu_->status().message();
+        gpuOrbits_.clear();
+        return;
+    }
+    if (stage_ == 0) {
+        const Size made = gpu_->size();
+        gpuPace_.learn(1.0 * made.width * made.height, 1.0 * place_.size.width * place_.size.height,
+                       now - gpuSince_);
+    }
+    arrived();
+}
+
+// Takes over what the graphics processor has drawn.
+bool LivePicture::show() {
+    GLuint name = texture_;
+    makeTexture(name);
+    texture_ = name;
+    if (!gpu_->copyInto(texture_)) return false;
+    shown_ = place_;
+    ++pictures_;
+    pixels_.clear();
+    upload_ = false;
+    return true;
+}
+
+bool LivePicture::compiling() const {
+    return gpuWorking_ && gpu_->state() == GpuPicture::State::compiling;
+}
+
+float LivePicture::progress() const {
+    const float part = gpuWorking_ ? static_cast<float>(gpu_->progress()) : 0;
+    return (static_cast<float>(stage_) + part) / kFinished;
 }
 
 void LivePicture::toTexture() {
@@ -107,6 +227,10 @@ void LivePicture::draw(ImDrawList& list, ImVec2 low, ImVec2 high) {
 void LivePicture::contextLost() {
     texture_ = 0;
     upload_ = true;
+    // Orbits are iterated anew; what the host drew is still there.
+    gpuOrbits_.clear();
+    gpuWorking_ = false;
+    if (pixels_.empty()) wanted_.clear();
 }
 
 }  // namespace versorium

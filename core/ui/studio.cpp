@@ -29,11 +29,16 @@ struct Studio::State {
     bool sheetOpen = false;
     bool narrow = false;  // one view at a time
 
+    bool shows(std::size_t view) const {
+        const Workspace& workspace = context.workspace;
+        return !(workspace.maximised || narrow) || static_cast<int>(view) == workspace.focused;
+    }
     void takeAnswers();
     void settle();
     void animate();
     void drawViews(ImVec2 low, ImVec2 high);
     void drawStatus();
+    void drawRenderer(float right);
     void drawWide(ImVec2 low, ImVec2 size);
     void drawNarrow(ImVec2 low, ImVec2 size);
 };
@@ -121,9 +126,41 @@ void Studio::State::drawStatus() {
                                         "picture on the right.");
         return;
     }
+    ImGui::TextDisabled("Ctrl K finds every command, ? lists their keys");
+}
+
+// Who draws the focused view, with which precision and why; a click chooses.
+void Studio::State::drawRenderer(float right) {
     const LivePicture& picture =
         context.views[static_cast<std::size_t>(context.workspace.focused)].picture;
-    ImGui::TextDisabled("Processor, double precision%s", picture.finished() ? "" : ", refining …");
+    std::string text = picture.onGraphicsProcessor() ? "Graphics processor, 32 bits"
+                                                     : "Processor, double precision";
+    if (picture.compiling())
+        text += ", compiling …";
+    else if (!picture.finished())
+        text += ", refining …";
+    ImGui::SetCursorScreenPos(
+        {right - ImGui::CalcTextSize(text.c_str()).x, ImGui::GetCursorScreenPos().y});
+    ImGui::TextDisabled("%s", text.c_str());
+    if (ImGui::IsItemClicked()) ImGui::OpenPopup("renderer");
+    if (!ImGui::IsPopupOpen("renderer") && ImGui::IsItemHovered()) {
+        const std::string why = picture.onGraphicsProcessor()
+                                    ? context.gpu.limits().device
+                                    : "Why the processor: " + picture.whyProcessor();
+        ImGui::BeginTooltip();
+        ImGui::PushTextWrapPos(26 * ImGui::GetFontSize());
+        ImGui::TextUnformatted((why + ".\nClick to choose who draws.").c_str());
+        ImGui::PopTextWrapPos();
+        ImGui::EndTooltip();
+    }
+    if (!ImGui::BeginPopup("renderer")) return;
+    const std::pair<RendererChoice, const char*> choices[] = {
+        {RendererChoice::automatic, "Automatic"},
+        {RendererChoice::graphics, "Graphics processor, where 32 bits suffice"},
+        {RendererChoice::processor, "Processor, always in double precision"}};
+    for (const auto& [choice, name] : choices)
+        if (ImGui::MenuItem(name, nullptr, context.renderer == choice)) context.choose(choice);
+    ImGui::EndPopup();
 }
 
 void Studio::State::drawWide(ImVec2 low, ImVec2 size) {
@@ -138,6 +175,8 @@ void Studio::State::drawWide(ImVec2 low, ImVec2 size) {
     ImGui::EndChild();
     ImGui::SetCursorScreenPos({low.x + 8, low.y + size.y - bar + 4});
     drawStatus();
+    ImGui::SetCursorScreenPos({low.x, low.y + size.y - bar + 4});
+    drawRenderer(low.x + left - 8);
     ImGui::SetCursorScreenPos({low.x + size.x - inspector, low.y});
     ImGui::BeginChild("inspector", {inspector, size.y}, ImGuiChildFlags_AlwaysUseWindowPadding);
     drawInspector(context);
@@ -229,6 +268,8 @@ void Studio::frame() {
 
 bool Studio::busy() const {
     const StudioContext& context = state_->context;
+    for (std::size_t k = 0; k < context.workspace.views.size(); ++k)
+        if (state_->shows(k) && context.views[k].picture.working()) return true;
     return context.animation.running || context.touched || state_->fragmentOld ||
            context.host.now() - context.noticeAt < kNoticeFor || context.host.exportProgress() >= 0;
 }
@@ -270,11 +311,8 @@ std::string Studio::fragment() const {
 
 bool Studio::finished() const {
     const Workspace& workspace = state_->context.workspace;
-    for (std::size_t k = 0; k < workspace.views.size(); ++k) {
-        const bool shown =
-            !(workspace.maximised || state_->narrow) || static_cast<int>(k) == workspace.focused;
-        if (shown && !state_->context.views[k].picture.finished()) return false;
-    }
+    for (std::size_t k = 0; k < workspace.views.size(); ++k)
+        if (state_->shows(k) && !state_->context.views[k].picture.finished()) return false;
     return !state_->context.animation.running;
 }
 
@@ -287,10 +325,17 @@ void Studio::markView(int view) {
     if (view >= 0 && view < static_cast<int>(workspace.views.size())) workspace.focused = view;
 }
 
+int Studio::pictures() const {
+    int count = 0;
+    for (const ViewState& view : state_->context.views) count += view.picture.pictures();
+    return count;
+}
+
 void Studio::tell(const Status& status) { state_->context.report(status); }
 void Studio::stopAnimation() { state_->context.animation.running = false; }
 
 void Studio::contextLost() {
+    state_->context.gpu.forget();
     for (ViewState& view : state_->context.views) view.picture.contextLost();
 }
 

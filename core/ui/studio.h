@@ -28,6 +28,8 @@ class Studio {
     bool wantsPrepare() const;
     // Nothing moves, and every picture is as fine as it gets.
     bool finished() const;
+    // How many pictures the views have shown so far, coarse ones too.
+    int pictures() const;
     // True while something moves or is being waited for: the shell should draw on without events.
     bool busy() const;
 

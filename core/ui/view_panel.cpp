@@ -12,6 +12,8 @@ namespace {
 
 constexpr float kReach = 16;  // how near the pointer must come to a mark, at scale 1
 constexpr double kWheel = 0.8;
+// Seconds of a frame for the graphics processor's pictures: half of it where frames are slow.
+constexpr double kLeastBudget = 0.012, kMostBudget = 0.05;
 constexpr int kProbeIterations = 20000;
 constexpr ImU32 kOrbit = IM_COL32(255, 214, 102, 255);
 
@@ -192,13 +194,23 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
     };
     handlePointer(context, view, planeNow(), hovered, active);
     const Scene& scene = workspace.views[static_cast<std::size_t>(view)];
+    const Scene drawn = pictureScene(scene, aspect);
     const ViewPlane plane = planeNow();
     if (state.revision != context.revision || state.text.empty() || aspect != state.aspect) {
         state.revision = context.revision;
         state.aspect = aspect;
-        state.text = sceneToJson(pictureScene(scene, aspect)).dump();
+        Json json = sceneToJson(drawn);
+        state.text = json.dump();
+        json.erase("colour");
+        json.erase("iso");
+        state.orbits = json.dump();
     }
-    state.picture.want(context.host, view, state.text, plane.place, scene.samples);
+    state.picture.want(context.host, context.gpuUse(), view,
+                       {drawn, state.text, state.orbits, context.program(view), plane.place});
+    const std::size_t shown = workspace.maximised ? 1 : workspace.views.size();
+    const double budget =
+        std::clamp(0.5 * static_cast<double>(ImGui::GetIO().DeltaTime), kLeastBudget, kMostBudget);
+    state.picture.work(context.host, budget / static_cast<double>(shown));
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Theme& theme = themes()[context.theme];

@@ -47,13 +47,6 @@ constexpr double kShift = 1.0 / (1 << 22);
 // Newton's map ends in have modulus 1).
 constexpr double kThreshold = 1e-5;
 
-// Finishes, or fails the test.
-void finish(GpuPicture& picture) {
-    for (int i = 0; i < 100000 && !picture.advance(0.05); ++i) {
-    }
-    ASSERT_EQ(picture.state(), GpuPicture::State::finished) << picture.status().message();
-}
-
 std::vector<Raster<double>> onProcessor(const Scene& scene, const std::vector<FieldName>& fields) {
     CpuRenderer cpu;
     Job job(1);
@@ -71,7 +64,8 @@ void compare(const Scene& scene, double least, const std::vector<FieldName>& fie
     GpuPicture picture(gpu);
     const Status started = picture.start(scene, kSize);
     ASSERT_TRUE(started.ok()) << scene.map << ": " << started.message();
-    finish(picture);
+    const Status finished = picture.finish();
+    ASSERT_TRUE(finished.ok()) << scene.map << ": " << finished.message();
     std::vector<Raster<float>> ours;
     const Status read = picture.readFields(fields, ours);
     ASSERT_TRUE(read.ok()) << read.message();
