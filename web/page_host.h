@@ -38,6 +38,7 @@ class PageHost : public Host {
     std::string stored(const std::string& name) override;
     void store(const std::string& name, const std::string& text) override;
 
+    bool toggleFullscreen() override;
     bool reducedMotion() const override;
     void announce(const std::string& text) override;
 

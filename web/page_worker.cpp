@@ -1,12 +1,23 @@
 // SPDX-License-Identifier: MIT
-// What the page's workers call: worker.mjs. No OpenGL here, and no studio. A result stays until the
-// next call.
+// What the page's workers call: worker.mjs. No OpenGL here, and no studio. One task at a time; what
+// it made is given to Module.done().
 #include <emscripten/emscripten.h>
 #include <emscripten/threading.h>
+
+#include <atomic>
+#include <memory>
+#include <utility>
+#if VERSORIUM_THREADS
+#include <thread>
+#endif
 
 #include "ui/picture_worker.h"
 
 // clang-format off
+EM_JS(void, worker_js_done,
+      (const unsigned char* bytes, int size, const char* message, double seconds), {
+    Module.done(HEAPU8.slice(bytes, bytes + size), UTF8ToString(message), seconds);
+});
 EM_JS(void, worker_js_progress, (double progress), { Module.progress(progress); });
 // clang-format on
 
@@ -20,55 +31,93 @@ struct Result {
     double seconds = 0;
 };
 
-Result& result() {
-    static Result kept;
-    return kept;
-}
 CpuRenderer& renderer() {
     static CpuRenderer kept;
     return kept;
 }
 
+struct Task {
+    explicit Task(int threads) : job(threads) {}
+    Job job;
+    Result result;
+};
+// The one that runs.
+Task* task = nullptr;
+
 constexpr double kBetweenReports = 100;  // milliseconds
+
+void say(float progress) { worker_js_progress(static_cast<double>(progress)); }
+
+void end() {
+    const std::unique_ptr<Task> ended(std::exchange(task, nullptr));
+    const Result& result = ended->result;
+    worker_js_done(result.bytes.data(), static_cast<int>(result.bytes.size()),
+                   result.message.c_str(), result.seconds);
+}
+
+// A thread that waits for others cannot start them in a browser: with threads the task runs on one,
+// and the worker's own stays free.
+template <class Work>
+void begin(int threads, Work work) {
+    task = new Task(threads);
+#if VERSORIUM_THREADS
+    std::thread([work = std::move(work)] {
+        task->result = work(task->job);
+        emscripten_async_run_in_main_runtime_thread(EM_FUNC_SIG_V, end);
+    }).detach();
+#else
+    task->result = work(task->job);
+    end();
+#endif
+}
 
 }  // namespace
 
 extern "C" {
 
-// Leaves RGBA; 0 where there is a message instead.
-EMSCRIPTEN_KEEPALIVE int worker_picture(const char* scene, int width, int height, int samples) {
-    Job job;
-    PictureAnswer answer = computePicture(
-        renderer(), {.scene = scene, .size = {width, height}, .samples = samples}, job);
-    result() = {std::move(answer.rgba), std::move(answer.message), answer.seconds};
-    return result().message.empty() ? 1 : 0;
+// Makes RGBA, or a message. `threads` counts the one that waits for the others.
+EMSCRIPTEN_KEEPALIVE void worker_picture(int threads, const char* scene, int width, int height,
+                                         int samples) {
+    PictureRequest request;
+    request.scene = scene;
+    request.size = {width, height};
+    request.samples = samples;
+    begin(threads, [request](Job& job) {
+        PictureAnswer answer = computePicture(renderer(), request, job);
+        return Result{std::move(answer.rgba), std::move(answer.message), answer.seconds};
+    });
 }
 
-// Leaves a PNG; 0 where there is a message instead. Says its progress through Module.progress.
-EMSCRIPTEN_KEEPALIVE int worker_export(const char* document, const char* name) {
-    Job job;
-    double last = 0;
-    // Other threads finish parts as well, but only this one can speak to the page.
-    job.onProgress = [&](double progress) {
-        if (!emscripten_is_main_runtime_thread()) return;
-        const double now = emscripten_get_now();
-        if (now - last < kBetweenReports) return;
-        last = now;
-        worker_js_progress(progress);
-    };
-    Expected<std::vector<unsigned char>> bytes =
-        computeExport(renderer(), {document, name, false}, job);
-    result() = {};
-    if (bytes)
-        result().bytes = std::move(*bytes);
-    else
-        result().message = bytes.status().message();
-    return bytes ? 1 : 0;
+// Makes a PNG, or a message. Says its progress through Module.progress.
+EMSCRIPTEN_KEEPALIVE void worker_export(int threads, const char* document, const char* name) {
+    begin(threads, [request = ExportRequest{document, name, false}](Job& job) {
+        std::atomic<double> last = 0;
+        job.onProgress = [&](double progress) {
+            const double now = emscripten_get_now();
+            double before = last;
+            if (now - before < kBetweenReports || !last.compare_exchange_strong(before, now))
+                return;
+#if VERSORIUM_THREADS
+            emscripten_async_run_in_main_runtime_thread(EM_FUNC_SIG_VF, say,
+                                                        static_cast<float>(progress));
+#else
+            say(static_cast<float>(progress));
+#endif
+        };
+        Expected<std::vector<unsigned char>> bytes = computeExport(renderer(), request, job);
+        Result result;
+        if (bytes)
+            result.bytes = std::move(*bytes);
+        else
+            result.message = bytes.status().message();
+        return result;
+    });
 }
 
-EMSCRIPTEN_KEEPALIVE const unsigned char* worker_bytes() { return result().bytes.data(); }
-EMSCRIPTEN_KEEPALIVE int worker_size() { return static_cast<int>(result().bytes.size()); }
-EMSCRIPTEN_KEEPALIVE const char* worker_message() { return result().message.c_str(); }
-EMSCRIPTEN_KEEPALIVE double worker_seconds() { return result().seconds; }
+// Gives up the task that runs, which then ends with a message. Only with threads is there anybody
+// to hear this.
+EMSCRIPTEN_KEEPALIVE void worker_cancel() {
+    if (task) task->job.cancel();
+}
 
 }  // extern "C"

@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: MIT
 // The studio in a page. page.mjs calls page_start() once and page_frame() for every frame; a worker
 // of the page runs the same program and calls only what stands in page_worker.cpp.
-#include <GLES3/gl3.h>
 #include <emscripten/emscripten.h>
 #include <emscripten/html5.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "imgui.h"
-#include "imgui_impl_opengl3.h"
 #include "page_host.h"
 #include "page_input.h"
+#include "ui/gl_canvas.h"
+#include "ui/software_canvas.h"
 #include "ui/studio.h"
 
 // clang-format off
 EM_JS(void, page_js_cursor, (int cursor), { Module.page.cursor(cursor); });
 EM_JS(void, page_js_typing, (int wanted), { Module.page.typing(wanted !== 0); });
+EM_JS(void, page_js_show, (const unsigned char* rgba, int width, int height), {
+    Module.page.show(HEAPU8.subarray(rgba, rgba + 4 * width * height), width, height);
+});
 // clang-format on
 
 namespace {
@@ -28,6 +32,9 @@ constexpr int kSettle = 4;
 struct Page {
     PageHost host;
     Studio studio{host};
+    // One of them: the second where there is no WebGL 2.
+    std::optional<GlCanvas> graphics;
+    std::optional<SoftwareCanvas> processor;
     float scale = 0;  // that letters were loaded for
     int settle = kSettle;
     int frames = 0;
@@ -75,30 +82,33 @@ void tellPage() {
     page->typing = io.WantTextInput;
 }
 
+void takeFonts() {
+    if (page->graphics) page->graphics->takeFonts();
+    if (page->processor) page->processor->takeFonts();
+}
+
 void draw(int width, int height) {
     ImGuiIO& io = ImGui::GetIO();
     const double now = page->host.now();
     io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
     io.DeltaTime = static_cast<float>(std::clamp(now - page->last, 1e-4, 0.1));
     page->last = now;
-    ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
     page->studio.frame();
     ImGui::Render();
-    glViewport(0, 0, width, height);
-    glClearColor(0, 0, 0, 1);
-    glClear(GL_COLOR_BUFFER_BIT);
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     ++page->frames;
+    if (page->graphics) return page->graphics->draw(*ImGui::GetDrawData(), {width, height});
+    page->processor->draw(*ImGui::GetDrawData(), {width, height});
+    page_js_show(page->processor->rgba().data(), width, height);
 }
 
 }  // namespace
 
 extern "C" {
 
-// 0 where the browser gives no WebGL 2.
+// 0 where the browser gives no WebGL 2: the processor then draws, and page.show() takes the pixels.
 EMSCRIPTEN_KEEPALIVE int page_start(int apple) {
-    if (!openContext()) return 0;
+    const bool openGl = openContext();
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
@@ -108,8 +118,11 @@ EMSCRIPTEN_KEEPALIVE int page_start(int apple) {
     io.SetClipboardTextFn = setClipboardText;
     io.GetClipboardTextFn = clipboardText;
     page = new Page;
-    ImGui_ImplOpenGL3_Init("#version 300 es");
-    return 1;
+    if (openGl)
+        page->graphics.emplace();
+    else
+        page->processor.emplace();
+    return openGl ? 1 : 0;
 }
 
 // Draws. Returns 0 when it may rest until the next event, 1 to be called for the next frame, 2 to
@@ -119,8 +132,7 @@ EMSCRIPTEN_KEEPALIVE int page_frame(int width, int height, float scale) {
     if (scale != page->scale || page->studio.wantsPrepare()) {
         page->studio.prepare(scale);
         page->scale = scale;
-        // They come back with the next frame, and the letters with them.
-        ImGui_ImplOpenGL3_DestroyDeviceObjects();
+        takeFonts();
         page->settle = kSettle;
     }
     if (takeInput()) page->settle = kSettle;
@@ -136,11 +148,12 @@ EMSCRIPTEN_KEEPALIVE void page_wake() { page->settle = kSettle; }
 // the old names for another's and report an error.
 EMSCRIPTEN_KEEPALIVE void page_context_lost() {
     page->lost = true;
-    ImGui_ImplOpenGL3_DestroyDeviceObjects();
+    if (page->graphics) page->graphics->contextLost();
     page->studio.contextLost();
 }
 EMSCRIPTEN_KEEPALIVE void page_context_restored() {
     page->lost = false;
+    takeFonts();
     page->settle = kSettle;
 }
 
@@ -191,8 +204,20 @@ EMSCRIPTEN_KEEPALIVE int page_pinch(float x0, float y0, float x1, float y1, doub
     return page->studio.pinch(x0, y0, x1, y1, factor) ? 1 : 0;
 }
 
+// JSON: ui/controls.h.
+EMSCRIPTEN_KEEPALIVE const char* page_controls() { return kept(page->studio.controls()); }
+EMSCRIPTEN_KEEPALIVE int page_set_control(const char* id, const char* value) {
+    page->settle = kSettle;
+    return page->studio.setControl(id, value) ? 1 : 0;
+}
+EMSCRIPTEN_KEEPALIVE void page_mark_view(int view) {
+    page->settle = kSettle;
+    page->studio.markView(view);
+}
+
 EMSCRIPTEN_KEEPALIVE const char* page_fragment() { return kept(page->studio.fragment()); }
 EMSCRIPTEN_KEEPALIVE int page_frames_drawn() { return page->frames; }
+EMSCRIPTEN_KEEPALIVE int page_typing() { return page->typing ? 1 : 0; }
 EMSCRIPTEN_KEEPALIVE int page_finished() { return page->studio.finished() ? 1 : 0; }
 EMSCRIPTEN_KEEPALIVE void page_stop() { page->studio.stopAnimation(); }
 EMSCRIPTEN_KEEPALIVE int page_pictures_taken() { return page->studio.pictures(); }

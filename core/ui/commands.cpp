@@ -48,8 +48,10 @@ void nudge(StudioContext& context) {
     if (!shift) return context.pan(context.workspace.focused, 0.1 * right, 0.1 * up);
     const auto view = static_cast<std::size_t>(context.workspace.focused);
     const ViewState& state = context.views[view];
+    // The shorter side shows the slice's height.
     const double pixel =
-        context.workspace.view().slice.height / std::max(1.0f, state.high.y - state.low.y);
+        context.workspace.view().slice.height /
+        std::max(1.0f, std::min(state.high.x - state.low.x, state.high.y - state.low.y));
     const auto marker = markerOf(context.workspace, view);
     moveMarker(context.workspace, view, marker[0] + right * pixel, marker[1] + up * pixel);
     context.touch();
@@ -89,6 +91,11 @@ std::vector<Command> commandsOf(StudioContext& context) {
          [c] {
              c->workspace.maximised = !c->workspace.maximised;
              c->touch();
+         }},
+        {"Fill the screen, or not", "Shift F",
+         [c] {
+             if (!c->host.toggleFullscreen())
+                 c->say("The screen cannot be filled from here: the desktop's own keys may do it");
          }},
         {"One view", "", [c] { setViewCount(c->workspace, 1), c->touch(); }},
         {"Two views", "", [c] { setViewCount(c->workspace, 2), c->touch(); }},
@@ -156,7 +163,7 @@ void handleKeys(StudioContext& context) {
     if (pressed(ImGuiKey_Backspace, false))
         run(shifted(ImGuiKey_Backspace) ? "Shift Backspace" : "Backspace");
     if (pressed(ImGuiKey_A, false)) run("A");
-    if (pressed(ImGuiKey_F, false)) run("F");
+    if (pressed(ImGuiKey_F, false)) run(shifted(ImGuiKey_F) ? "Shift F" : "F");
     if (pressed(ImGuiKey_G, false)) run("G");
     if (pressed(ImGuiKey_P, false)) run("P");
     if (pressed(ImGuiKey_T, false)) run("T");

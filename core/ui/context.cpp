@@ -7,6 +7,7 @@
 #include "io/document.h"
 #include "render/picture.h"
 #include "ui/open_file.h"
+#include "ui/texture.h"
 #include "ui/view_plane.h"
 
 namespace versorium {
@@ -209,8 +210,9 @@ void StudioContext::pan(int view, double widths, double heights) {
     const double tall = std::max(1.0f, state.high.y - state.low.y);
     const double wide = std::max(1.0f, state.high.x - state.low.x);
     views[static_cast<std::size_t>(view)].glide.reset();
-    scene.slice.centre[0] += widths * scene.slice.height * wide / tall;
-    if (scene.slice.centre.size() > 1) scene.slice.centre[1] += heights * scene.slice.height;
+    const double height = shownHeight(scene, wide / tall);
+    scene.slice.centre[0] += widths * height * wide / tall;
+    if (scene.slice.centre.size() > 1) scene.slice.centre[1] += heights * height;
     touch();
 }
 
@@ -230,6 +232,7 @@ void StudioContext::nextRenderer() {
 
 GpuUse StudioContext::gpuUse() {
     if (renderer == RendererChoice::processor) return {nullptr, "chosen by you"};
+    if (!drawsWithOpenGl()) return {nullptr, "there is no OpenGL here"};
     if (const Status status = gpu.prepare(); !status.ok()) return {nullptr, status.message()};
     if (renderer == RendererChoice::automatic && gpu.limits().software)
         return {nullptr, "faster here than the graphics driver, which computes in software (" +

@@ -35,6 +35,7 @@ struct ViewState {
     LivePicture picture;
     std::string text, orbits;  // LiveScene's, made anew when the revision is
     std::uint64_t revision = 0;
+    double aspect = 0;  // that the text was made for
     Visits visits;
     std::optional<Glide> glide;  // on its way; the workspace holds where it is now
     ImVec2 low{}, high{};        // its rectangle in the window

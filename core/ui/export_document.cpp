@@ -16,6 +16,7 @@ Scene sceneOfView(const Workspace& workspace, std::size_t view,
                   const std::vector<double>& aspects) {
     Scene scene = workspace.views[view];
     scene.aspect = aspects[view];
+    scene.slice.height = shownHeight(scene, scene.aspect);
     return scene;
 }
 

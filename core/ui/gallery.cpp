@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "ui/gallery.h"
 
-#include <GLES3/gl3.h>
-
 #include <algorithm>
 
 #include "io/document.h"
+#include "ui/texture.h"
 
 namespace versorium {
 namespace {
@@ -105,20 +104,8 @@ ImTextureID Gallery::picture(const Entry& entry) {
     const auto found = pictures_.find(entry.key());
     if (found == pictures_.end() || found->second.rgba.empty()) return nullptr;
     Picture& picture = found->second;
-    if (picture.texture == 0) {
-        GLuint name = 0;
-        glGenTextures(1, &name);
-        glBindTexture(GL_TEXTURE_2D, name);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, picture.size.width, picture.size.height, 0,
-                     GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba.data());
-        picture.texture = name;
-    }
-    return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture.texture));
+    if (picture.texture == 0) picture.texture = putTexture(0, picture.size, picture.rgba.data());
+    return textureId(picture.texture);
 }
 
 void Gallery::contextLost() {

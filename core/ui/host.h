@@ -104,6 +104,9 @@ class Host {
     virtual std::string stored(const std::string& name) = 0;
     virtual void store(const std::string& name, const std::string& text) = 0;
 
+    // Fills the screen, or no longer; false where that cannot be.
+    virtual bool toggleFullscreen() { return false; }
+
     virtual bool reducedMotion() const { return false; }
     // What a screen reader should say of what is shown.
     virtual void announce(const std::string&) {}

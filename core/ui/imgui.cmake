@@ -1,13 +1,13 @@
-# Dear ImGui from its sources (scripts/setup fetches them), with the OpenGL ES 3 back end for the
-# window and the page alike.
+# Dear ImGui from its sources (scripts/setup fetches them), with its back ends for the window; the
+# page has its own (ui/gl_canvas.h).
 set(VERSORIUM_IMGUI_DIR "${PROJECT_SOURCE_DIR}/.deps/imgui" CACHE PATH "Sources of Dear ImGui 1.90")
 if(NOT EXISTS "${VERSORIUM_IMGUI_DIR}/imgui.cpp")
     message(FATAL_ERROR "${VERSORIUM_IMGUI_DIR}/imgui.cpp is missing: run scripts/setup, or set "
         "VERSORIUM_IMGUI_DIR")
 endif()
-set(imgui_sources imgui imgui_draw imgui_tables imgui_widgets backends/imgui_impl_opengl3)
+set(imgui_sources imgui imgui_draw imgui_tables imgui_widgets)
 if(NOT EMSCRIPTEN)
-    list(APPEND imgui_sources backends/imgui_impl_glfw)
+    list(APPEND imgui_sources backends/imgui_impl_glfw backends/imgui_impl_opengl3)
 endif()
 list(TRANSFORM imgui_sources PREPEND "${VERSORIUM_IMGUI_DIR}/")
 list(TRANSFORM imgui_sources APPEND ".cpp")

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "ui/live_picture.h"
 
-#include <GLES3/gl3.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "ui/texture.h"
 
 namespace versorium {
 namespace {
@@ -196,12 +196,7 @@ float LivePicture::progress() const {
 void LivePicture::toTexture() {
     if (!upload_ || pixels_.empty()) return;
     upload_ = false;
-    GLuint name = texture_;
-    makeTexture(name);
-    texture_ = name;
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, pixelSize_.width, pixelSize_.height, 0, GL_RGBA,
-                 GL_UNSIGNED_BYTE, pixels_.data());
+    texture_ = putTexture(texture_, pixelSize_, pixels_.data());
 }
 
 void LivePicture::draw(ImDrawList& list, ImVec2 low, ImVec2 high) {
@@ -224,8 +219,8 @@ void LivePicture::draw(ImDrawList& list, ImVec2 low, ImVec2 high) {
         return ImVec2{static_cast<float>(u), static_cast<float>(v)};
     };
     list.PushClipRect(low, high, true);
-    list.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture_)),
-                  corner(x - halfWidth, y - halfHeight), corner(x + halfWidth, y + halfHeight));
+    list.AddImage(textureId(texture_), corner(x - halfWidth, y - halfHeight),
+                  corner(x + halfWidth, y + halfHeight));
     list.PopClipRect();
 }
 

@@ -6,6 +6,7 @@
 
 #include "io/document.h"
 #include "ui/context.h"
+#include "ui/controls.h"
 #include "ui/help.h"
 #include "ui/open_file.h"
 
@@ -118,9 +119,10 @@ void Studio::State::drawStatus() {
         return;
     }
     if (context.welcome) {
-        ImGui::TextUnformatted(
-            "Drag the ring. Every point of the left picture is a whole picture "
-            "on the right.");
+        ImGui::TextUnformatted(narrow ? "Drag the ring, then press Points: each point here is a "
+                                        "whole picture there."
+                                      : "Drag the ring. Every point of the left picture is a whole "
+                                        "picture on the right.");
         return;
     }
     ImGui::TextDisabled("Ctrl K finds every command, ? lists their keys");
@@ -201,11 +203,13 @@ void Studio::State::drawNarrow(ImVec2 low, ImVec2 size) {
     if (ImGui::Button("Undo", button)) context.undo();
     explain("undo");
     const float sheet = sheetOpen ? size.y * 0.48f : 0;
-    const float status = ImGui::GetFrameHeightWithSpacing();
+    const float status = 2 * ImGui::GetTextLineHeight() + 8;
     drawView(context, workspace.focused, {low.x, low.y + bar + 6},
              {low.x + size.x, low.y + size.y - sheet - status});
     ImGui::SetCursorScreenPos({low.x + 8, low.y + size.y - sheet - status + 4});
+    ImGui::PushTextWrapPos(size.x);
     drawStatus();
+    ImGui::PopTextWrapPos();
     if (!sheetOpen) return;
     ImGui::SetCursorScreenPos({low.x, low.y + size.y - sheet});
     ImGui::BeginChild("sheet", {size.x, sheet}, ImGuiChildFlags_AlwaysUseWindowPadding);
@@ -255,6 +259,8 @@ void Studio::frame() {
     const float margin = 6;
     const ImVec2 low{screen.WorkPos.x + margin, screen.WorkPos.y + margin};
     const ImVec2 size{screen.WorkSize.x - 2 * margin, screen.WorkSize.y - 2 * margin};
+    // Only those that are drawn have a rectangle.
+    for (ViewState& view : context.views) view.low = view.high = {};
     state.narrow = screen.WorkSize.x < kNarrow * context.scale;
     if (state.narrow)
         state.drawNarrow(low, size);
@@ -288,7 +294,7 @@ Status Studio::openBytes(const std::string& name, std::span<const unsigned char>
 }
 
 Status Studio::openFragment(const std::string& fragment) {
-    if (fragment.empty() || fragment == state_->fragmentText) return {};
+    if (fragment.empty() || fragment == this->fragment()) return {};
     Expected<Workspace> workspace = workspaceFromLink(fragment);
     if (!workspace) {
         state_->context.report(workspace.status());
@@ -308,6 +314,15 @@ bool Studio::finished() const {
     for (std::size_t k = 0; k < workspace.views.size(); ++k)
         if (state_->shows(k) && !state_->context.views[k].picture.finished()) return false;
     return !state_->context.animation.running && !state_->context.gliding();
+}
+
+std::string Studio::controls() const { return controlsText(state_->context); }
+bool Studio::setControl(const std::string& id, const std::string& value) {
+    return versorium::setControl(state_->context, id, value);
+}
+void Studio::markView(int view) {
+    Workspace& workspace = state_->context.workspace;
+    if (view >= 0 && view < static_cast<int>(workspace.views.size())) workspace.focused = view;
 }
 
 int Studio::pictures() const {

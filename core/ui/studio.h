@@ -22,7 +22,7 @@ class Studio {
     // atlas anew.
     void prepare(float scale);
 
-    // One frame. All drawing goes into ImGui's lists; textures are made through OpenGL ES 3.
+    // One frame. All drawing goes into ImGui's lists; textures are those of ui/texture.h.
     void frame();
     // The theme has changed: prepare() is due before the next frame.
     bool wantsPrepare() const;
@@ -40,6 +40,11 @@ class Studio {
     // The part of a link behind the '#', checked like any foreign input.
     Status openFragment(const std::string& fragment);
     std::string fragment() const;
+
+    // What can be set and done, for controls outside of the window: ui/controls.h.
+    std::string controls() const;
+    bool setControl(const std::string& id, const std::string& value);
+    void markView(int view);
 
     // Shows why something failed.
     void tell(const Status& status);

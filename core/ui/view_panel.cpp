@@ -106,23 +106,27 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
     ImGui::InvisibleButton("view", {high.x - low.x, high.y - low.y},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     const bool hovered = ImGui::IsItemHovered(), active = ImGui::IsItemActive();
-    {
-        const ViewPlane plane{low, high,
-                              viewportOf(workspace.views[static_cast<std::size_t>(view)], size)};
-        handlePointer(context, view, plane, hovered, active);
-    }
+    const double aspect = static_cast<double>(size.width) / size.height;
+    const auto planeNow = [&] {
+        Viewport place = viewportOf(workspace.views[static_cast<std::size_t>(view)], size);
+        place.height = shownHeight(workspace.views[static_cast<std::size_t>(view)], aspect);
+        return ViewPlane{low, high, place};
+    };
+    handlePointer(context, view, planeNow(), hovered, active);
     const Scene& scene = workspace.views[static_cast<std::size_t>(view)];
-    const ViewPlane plane{low, high, viewportOf(scene, size)};
-    if (state.revision != context.revision || state.text.empty()) {
+    const Scene drawn = pictureScene(scene, aspect);
+    const ViewPlane plane = planeNow();
+    if (state.revision != context.revision || state.text.empty() || aspect != state.aspect) {
         state.revision = context.revision;
-        Json json = sceneToJson(scene);
+        state.aspect = aspect;
+        Json json = sceneToJson(drawn);
         state.text = json.dump();
         json.erase("colour");
         json.erase("iso");
         state.orbits = json.dump();
     }
     state.picture.want(context.host, context.gpuUse(), view,
-                       {scene, state.text, state.orbits, context.program(view), plane.place});
+                       {drawn, state.text, state.orbits, context.program(view), plane.place});
     const std::size_t shown = workspace.maximised ? 1 : workspace.views.size();
     const double budget =
         std::clamp(0.5 * static_cast<double>(ImGui::GetIO().DeltaTime), kLeastBudget, kMostBudget);
@@ -153,7 +157,7 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
         list.AddRect(state.dragFrom, ImGui::GetIO().MousePos, theme.accent, 0, 0, 2);
     const std::string title = showsParameters(scene) ? "Parameters" : "Starting points";
     drawText(list, {low.x + 12, low.y + 9}, IM_COL32(231, 233, 238, 255),
-             title + "  ·  height " + formatNumber(scene.slice.height, 3));
+             title + "  ·  height " + formatNumber(plane.place.height, 3));
     if (!state.picture.message().empty())
         drawText(list, {low.x + 12, 0.5f * (low.y + high.y)}, IM_COL32(255, 190, 120, 255),
                  state.picture.message());

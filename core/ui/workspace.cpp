@@ -184,6 +184,23 @@ void moveMarker(Workspace& workspace, std::size_t view, double u, double v) {
     for (const auto& [name, value] : values) setSharedNumber(workspace, name, value);
 }
 
+double shownHeight(const Scene& view, double aspect) {
+    return view.slice.height / std::min(1.0, aspect);
+}
+
+Scene pictureScene(const Scene& view, double aspect) {
+    Scene scene = view;
+    scene.slice.height = shownHeight(view, aspect);
+    for (const SliceAxis& axis : view.slice.axes)
+        for (const auto& [name, weight] : axis.terms) {
+            const std::optional<NumberRef> number = numberNamed(view, name);
+            // The map's own power is the degree that escape times are smoothed with.
+            if (number && number->kind != NumberKind::list && name != "power")
+                setNumber(scene, *number, 0);
+        }
+    return scene;
+}
+
 Scene orbitScene(const Workspace& workspace) {
     Scene scene = dynamicalView(workspace.views[0]);
     scene.criticalStart.reset();
@@ -210,7 +227,7 @@ std::array<double, 4> bordersOf(const Scene& scene, double aspect) {
     const auto middle = [&](std::size_t k) {
         return k < slice.centre.size() ? slice.centre[k] + slice.centreLow[k] : 0.0;
     };
-    const double tall = 0.5 * slice.height, wide = tall * aspect;
+    const double tall = 0.5 * shownHeight(scene, aspect), wide = tall * aspect;
     return {middle(0) - wide, middle(0) + wide, middle(1) - tall, middle(1) + tall};
 }
 
@@ -220,7 +237,7 @@ bool setBorder(Scene& scene, int border, double value, double aspect) {
     if (axis >= scene.slice.centre.size()) return false;
     const double other = old[static_cast<std::size_t>(border ^ 1)];
     const double length = border % 2 == 0 ? other - value : value - other;
-    const double height = axis == 0 ? length / aspect : length;
+    const double height = (axis == 0 ? length / aspect : length) * std::min(1.0, aspect);
     if (!(height >= kLeastHeight && height <= kMostHeight)) return false;
     scene.slice.centre[axis] = 0.5 * (value + other);
     scene.slice.centreLow[axis] = 0;

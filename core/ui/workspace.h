@@ -65,6 +65,13 @@ void setSharedParameter(Workspace& workspace, const std::string& name,
 std::array<double, 2> markerOf(const Workspace& workspace, std::size_t view);
 void moveMarker(Workspace& workspace, std::size_t view, double u, double v);
 
+// A view's height is what its shorter side shows, so that a tall one, as on a phone, cuts nothing
+// off at its sides. What it shows from bottom to top, where it is `aspect` times as wide as high:
+double shownHeight(const Scene& view, double aspect);
+// The scene to draw for such a view: of that height, and without the numbers that its picture does
+// not depend on, since they run along its axes. Views that differ in these alone look the same.
+Scene pictureScene(const Scene& view, double aspect);
+
 // A scene whose points are the starting points around `workspace.point`; for orbits and probes.
 Scene orbitScene(const Workspace& workspace);
 

@@ -12,20 +12,22 @@ function skip(why) {
   process.exit(77);
 }
 
-// The folder of the page, and a browser. Where one of them is missing the test is skipped.
+// The folder of the page, a browser, and how to start another one. Where something is missing the
+// test is skipped.
 export async function prepare(root) {
   const dist = join(root, "build/web/dist");
   const driver = resolve(root, ".deps/node_modules/playwright-core");
   if (!existsSync(join(dist, "index.html"))) skip("there is no page: run scripts/build web");
   if (!existsSync(driver)) skip("playwright-core is missing: run scripts/setup web");
   if (!existsSync(chromium)) skip("chromium is missing: run scripts/setup web");
-  const browser = await createRequire(import.meta.url)(driver).chromium.launch({
-    executablePath: chromium,
-    args: ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
-      "--disable-component-update", "--disable-sync", "--use-gl=angle", "--use-angle=swiftshader",
-      "--enable-unsafe-swiftshader"],
-  });
-  return { dist, browser };
+  const launch = (...graphics) =>
+    createRequire(import.meta.url)(driver).chromium.launch({
+      executablePath: chromium,
+      args: ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
+        "--disable-component-update", "--disable-sync", ...graphics],
+    });
+  const browser = await launch("--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader");
+  return { dist, browser, launch };
 }
 
 // The content policy forbids what playwright's own waitForFunction does in the page: ask from here.
@@ -41,6 +43,33 @@ export async function waitFor(page, condition, argument) {
 export const fragment = (page) => page.evaluate(() => window.versorium.fragment());
 export const changed = (page, before) =>
   waitFor(page, (was) => window.versorium.fragment() !== was, before);
+
+// How far two screenshots of the same size are from one another: the mean over all channels, and the
+// share of pixels of which one differs by more than 16, both in [0, 1].
+export async function difference(browser, first, second, clip) {
+  const page = await browser.newPage();
+  const answer = await page.evaluate(async ([texts, clip]) => {
+    const pixels = async (text) => {
+      const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+      const image = await createImageBitmap(new Blob([bytes]));
+      const { x, y, width, height } = clip ?? { x: 0, y: 0, width: image.width, height: image.height };
+      const context = new OffscreenCanvas(width, height).getContext("2d");
+      context.drawImage(image, -x, -y);
+      return context.getImageData(0, 0, width, height).data;
+    };
+    const [a, b] = [await pixels(texts[0]), await pixels(texts[1])];
+    if (a.length !== b.length) return { mean: 1, share: 1 };
+    let sum = 0, far = 0;
+    for (let k = 0; k < a.length; k += 4) {
+      const gaps = [0, 1, 2].map((channel) => Math.abs(a[k + channel] - b[k + channel]));
+      sum += gaps[0] + gaps[1] + gaps[2];
+      if (Math.max(...gaps) > 16) ++far;
+    }
+    return { mean: sum / (a.length * 0.75 * 255), share: far / (a.length / 4) };
+  }, [[first, second].map((png) => Buffer.from(png).toString("base64")), clip]);
+  await page.close();
+  return answer;
+}
 
 // Runs the tests, or with ONLY in the environment those whose name has it; returns how many failed.
 export async function runAll(tests, ...given) {

@@ -144,13 +144,13 @@ const tests = {
     await page.context().close();
   },
 
-  async "a lost context comes back"(browser, address) {
+  async "a context that is lost fifty times comes back"(browser, address) {
     const page = await open(browser, address);
     await finished(page);
     await page.mouse.move(1150, 790);
     await page.waitForTimeout(500);
     const before = await look(page, left);
-    for (let k = 0; k < 5; ++k) {
+    for (let k = 0; k < 50; ++k)
       await page.evaluate(async () => {
         const canvas = document.getElementById("canvas");
         const extension = canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
@@ -158,14 +158,17 @@ const tests = {
         const lost = once("webglcontextlost");
         extension.loseContext();
         await lost;
-        await new Promise((done) => setTimeout(done, 50));
+        await new Promise((done) => setTimeout(done, 20));
         const restored = once("webglcontextrestored");
         extension.restoreContext();
         await restored;
+        // Some frames in the new one, as many as it can draw meanwhile.
+        await new Promise((done) => setTimeout(done, 50));
       });
-      await finished(page);
-      await page.waitForTimeout(300);
-    }
+    const frames = await page.evaluate(() => versorium.framesDrawn);
+    await waitFor(page, (before) => versorium.framesDrawn > before, frames);
+    await finished(page);
+    await page.waitForTimeout(500);
     assert.ok(before.equals(await look(page, left)), "the picture is another one");
     await page.context().close();
   },

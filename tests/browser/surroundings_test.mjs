@@ -1,27 +1,33 @@
 // SPDX-License-Identifier: MIT
 // The page where it is not alone: within another page, in a folder of a server that sends no special
-// headers, without WebGL 2, under two fingers, after a lost context. surroundings_test.mjs ROOT
+// headers, without WebGL 2, under two fingers, after a lost context. surroundings_test.mjs ROOT [SCREENSHOTS]
 import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { extname, join } from "node:path";
-import { changed, fragment, patience, prepare, runAll, waitFor } from "./browser.mjs";
+import { changed, difference, fragment, prepare, runAll, waitFor } from "./browser.mjs";
 
-const [root] = process.argv.slice(2);
-const { dist, browser } = await prepare(root);
+const [root, screenshots] = process.argv.slice(2);
+const { dist, browser, launch } = await prepare(root);
 
 // The page below /some/folder/, and at / a tall page that has it in a frame. Nothing more is sent
-// than a plain host for static files sends.
+// than a plain host for static files sends; below /isolated/ the page comes with the headers that
+// threads need.
 const types = {
   ".html": "text/html", ".css": "text/css", ".js": "text/javascript", ".mjs": "text/javascript",
   ".wasm": "application/wasm", ".svg": "image/svg+xml", ".webmanifest": "application/manifest+json",
+  ".packed": "application/octet-stream",
 };
 const outer =
   '<!doctype html><body style="height:3000px"><iframe src="some/folder/" width="1000" height="600"></iframe>';
 const server = createServer((request, response) => {
   const path = new URL(request.url, "http://localhost").pathname;
-  const name = path.startsWith("/some/folder/") ? path.slice("/some/folder/".length) || "index.html" : null;
-  const file = name && join(dist, name);
+  const [, folder, name] = path.match(/^\/(some\/folder|isolated)\/(.*)$/) ?? [];
+  const file = folder && join(dist, name || "index.html");
+  if (folder === "isolated") {
+    response.setHeader("Cross-Origin-Opener-Policy", "same-origin");
+    response.setHeader("Cross-Origin-Embedder-Policy", "require-corp");
+  }
   if (path === "/") response.writeHead(200, { "Content-Type": "text/html" }).end(outer);
   else if (file && existsSync(file))
     response.writeHead(200, { "Content-Type": types[extname(file)] }).end(readFileSync(file));
@@ -46,8 +52,8 @@ async function visit(browser, where, options = {}) {
   await page.goto(where);
   return page;
 }
-async function open(browser, options) {
-  const page = await visit(browser, address, options);
+async function open(browser, options, where = address) {
+  const page = await visit(browser, where, options);
   await ready(page);
   await finished(page);
   return page;
@@ -66,6 +72,28 @@ const tests = {
     assert.equal(await fragment(page), state);
     assert.equal(await page.evaluate(() => crossOriginIsolated), true);
     await page.context().close();
+  },
+
+  async "with threads and without them the pictures are the same"(browser) {
+    if (!existsSync(join(dist, "threads"))) throw new Error("the program with threads is missing");
+    const shots = [];
+    for (const [where, isolated] of [[address, false], [outside + "isolated/", true]]) {
+      const page = await open(browser, {}, where);
+      const threads = await page.evaluate(() => versorium.threads);
+      assert.equal(threads > 0, isolated, `${threads} threads`);
+      for (let k = 0; k < 3; ++k) {
+        await page.mouse.move(...spot);
+        await page.mouse.wheel(0, -200);
+        await page.waitForTimeout(50); // a picture that is on its way is overtaken
+      }
+      await page.mouse.move(1200, 790);
+      await page.waitForTimeout(800);
+      await finished(page);
+      shots.push(await page.screenshot());
+      assert.deepEqual(page.faults, []);
+      await page.context().close();
+    }
+    assert.ok(shots[0].equals(shots[1]), "the pictures differ");
   },
 
   async "in a frame the wheel scrolls the page around it until a click"(browser) {
@@ -145,16 +173,95 @@ const tests = {
     await page.context().close();
   },
 
-  async "without WebGL 2 it says so"(browser) {
-    const context = await browser.newContext();
-    const page = await context.newPage();
-    await page.addInitScript(() => {
-      HTMLCanvasElement.prototype.getContext = () => null;
+  async "the keyboard reaches every view and control"(browser) {
+    const page = await open(browser);
+    const said = () => page.textContent("#said");
+    const tab = async (wanted) => {
+      for (let k = 0; k < 40; ++k) {
+        await page.keyboard.press("Tab");
+        const name = await page.evaluate(() => {
+          const at = document.activeElement;
+          return at.closest(".field")?.dataset.id ?? at.getAttribute("aria-label") ?? at.id;
+        });
+        if (name.includes(wanted)) return;
+      }
+      throw new Error("Tab does not come to " + wanted);
+    };
+    await waitFor(page, () => document.querySelectorAll(".field").length > 40);
+    // Views: their keys are the studio's.
+    await tab("View 2");
+    for (const key of ["ArrowRight", "+", "-"]) {
+      const before = await fragment(page);
+      await page.keyboard.press(key);
+      await changed(page, before);
+    }
+    await waitFor(page, () => /View 2, starting points .* escapes at step/.test(document.getElementById("shown").textContent));
+    // A choice, a number by strokes and by typing, a switch.
+    const state = async () => JSON.parse(await page.evaluate(() => versorium.controls())).controls;
+    const value = async (id) => (await state()).find((control) => control.id === id).value;
+    await tab("map");
+    await page.keyboard.press("Shift+Tab"); // back to the view
+    await tab("map");
+    await tab("c.re");
+    const before = Number(await value("c.re"));
+    await page.keyboard.press("ArrowUp");
+    assert.ok(Number(await value("c.re")) > before);
+    await page.keyboard.press("Control+a");
+    await page.keyboard.type("-0.125");
+    await page.keyboard.press("Enter");
+    assert.equal(await value("c.re"), "-0.125");
+    if (screenshots) await page.screenshot({ path: join(screenshots, "keyboard.png") });
+    await page.keyboard.press("Control+a");
+    await page.keyboard.type("much");
+    await page.keyboard.press("Enter");
+    assert.match(await said(), /cannot be much/);
+    assert.equal(await value("c.re"), "-0.125");
+    await tab("palette");
+    await page.keyboard.press("f");
+    await waitFor(page, () => /"palette","kind":"choice","value":"f/.test(versorium.controls()));
+    await tab("reverse");
+    await page.keyboard.press("Space");
+    assert.equal(await value("reverse"), "on");
+    // A command; each of the studio's is here.
+    await tab("do Undo");
+    const now = await fragment(page);
+    await page.keyboard.press("Enter");
+    await changed(page, now);
+    await waitFor(page, () => {
+      const ids = [...document.querySelectorAll(".field")].map((field) => field.dataset.id);
+      return String(ids) === String(JSON.parse(versorium.controls()).controls.map(({ id }) => id));
     });
-    await page.goto(address);
-    await page.waitForSelector("#message:not([hidden])", { timeout: patience });
-    assert.match(await page.textContent("#message-text"), /WebGL 2/);
-    await context.close();
+    await page.keyboard.press("Escape");
+    assert.equal(await page.evaluate(() => document.activeElement.id), "canvas");
+    assert.deepEqual(page.faults, []);
+    await page.context().close();
+  },
+
+  async "without WebGL 2 the processor draws the same picture, and the page says so"(browser) {
+    const plain = await launch("--disable-3d-apis", "--disable-gpu");
+    const shots = [];
+    for (const which of [browser, plain]) {
+      const page = await open(which);
+      if (which === plain) {
+        assert.match(await page.textContent("#message-text"), /WebGL 2/);
+        if (screenshots) await page.screenshot({ path: join(screenshots, "no-webgl.png") });
+        await page.click("#dismiss");
+      }
+      const before = await fragment(page);
+      await page.mouse.move(...spot);
+      await page.mouse.wheel(0, -300);
+      await changed(page, before);
+      await page.mouse.move(1275, 797);
+      await finished(page);
+      await page.waitForTimeout(500);
+      shots.push(await page.screenshot());
+      assert.deepEqual(page.faults, []);
+      await page.context().close();
+    }
+    await plain.close();
+    // Letters and thin lines are rounded in other ways; pictures are not.
+    const { mean, share } = await difference(browser, ...shots);
+    assert.ok(mean < 0.005 && share < 0.01, `mean ${mean}, share ${share}`);
   },
 };
 

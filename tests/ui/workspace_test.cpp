@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "base/base64.h"
+#include "colour/srgb.h"
 #include "io/document.h"
+#include "render/cpu/cpu_renderer.h"
 
 namespace versorium {
 namespace {
@@ -165,6 +167,34 @@ TEST(History, UndoAndRedoBringBackEveryState) {
     setSharedNumber(workspace, "c.re", 5);
     history.record(workspace);
     EXPECT_FALSE(history.canRedo());
+}
+
+// The pictures of views that are told apart only by numbers along their axes are the same.
+TEST(Workspace, APictureDependsOnNothingThatItsSceneLeavesOut) {
+    CpuRenderer renderer;
+    for (const MapKernels& map : catalogue()) {
+        if (map.info.field) continue;  // grids take long; what is left out is the same
+        const Workspace workspace = workspaceOf(sceneOf(map));
+        for (const Scene& view : workspace.views) {
+            Frame frames[2];
+            const Scene drawn = pictureScene(view, 1);
+            Job job(1);
+            ASSERT_TRUE(renderer.render(view, {12, 12}, {}, job, frames[0]).ok()) << map.info.name;
+            ASSERT_TRUE(renderer.render(drawn, {12, 12}, {}, job, frames[1]).ok()) << map.info.name;
+            EXPECT_EQ(encodeSrgb(frames[0].colour).values(), encodeSrgb(frames[1].colour).values())
+                << map.info.name;
+        }
+    }
+    Workspace moved = mandelbrot();
+    const std::string before = sceneToJson(pictureScene(moved.views[0], 1)).dump();
+    setSharedNumber(moved, "c.re", 0.3);
+    EXPECT_EQ(sceneToJson(pictureScene(moved.views[0], 1)).dump(), before);
+}
+
+TEST(Workspace, ATallViewShowsAsMuchAcrossAsAWideOneFromBottomToTop) {
+    const Scene scene = mandelbrot().views[0];
+    EXPECT_EQ(shownHeight(scene, 2), scene.slice.height);
+    EXPECT_EQ(shownHeight(scene, 0.5) * 0.5, scene.slice.height);
 }
 
 }  // namespace

@@ -86,6 +86,7 @@ export class Address {
 export function makeHost({ studio, wake, address, pictures, exports }) {
   const canvas = byId("canvas");
   let due = Infinity, timer = 0;
+  let flat = null, image = null;
   return {
     wake,
     wakeAfter(seconds) {
@@ -122,6 +123,13 @@ export function makeHost({ studio, wake, address, pictures, exports }) {
       }
     },
     setFragment: (fragment) => address.set(fragment),
+    fullscreen() {
+      if (!document.fullscreenEnabled) return false;
+      const refused = () => announce("The browser did not fill the screen.");
+      if (document.fullscreenElement) document.exitFullscreen().catch(refused);
+      else document.documentElement.requestFullscreen().catch(refused);
+      return true;
+    },
     reducedMotion: () => matchMedia("(prefers-reduced-motion: reduce)").matches,
     announce,
     cursor(index) {
@@ -132,6 +140,13 @@ export function makeHost({ studio, wake, address, pictures, exports }) {
       const field = byId("typing");
       if (wanted && matchMedia("(pointer: coarse)").matches) field.focus({ preventScroll: true });
       else if (!wanted && document.activeElement === field) canvas.focus({ preventScroll: true });
+    },
+    // The canvas without WebGL: opaque RGBA.
+    show(rgba, width, height) {
+      if (image?.width !== width || image.height !== height) image = new ImageData(width, height);
+      image.data.set(rgba);
+      flat ??= canvas.getContext("2d", { alpha: false });
+      flat?.putImageData(image, 0, 0);
     },
     // A text on the program's heap, which it frees.
     give(text) {

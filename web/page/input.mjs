@@ -144,7 +144,9 @@ function listenToKeys(canvas, studio, wake, openFile) {
 
   const onKey = (event) => {
     const down = event.type === "keydown";
-    // Shift+Escape gives the keyboard back to the page, so that Tab can leave the canvas.
+    // Tab walks on through the page's controls, but within the studio's text fields; there
+    // Shift+Escape gives the keyboard back to the page.
+    if (event.code === "Tab" && !studio._page_typing()) return;
     if (down && event.code === "Escape" && event.shiftKey) return event.target.blur();
     if (down && (event.ctrlKey || event.metaKey) && event.code === "KeyO") {
       event.preventDefault();
@@ -159,10 +161,12 @@ function listenToKeys(canvas, studio, wake, openFile) {
     if (!isBrowsers(event) && event.target !== field) event.preventDefault();
     wake();
   };
-  for (const target of [canvas, field]) {
+  const listenOn = (target) => {
     target.addEventListener("keydown", onKey);
     target.addEventListener("keyup", onKey);
-  }
+  };
+  listenOn(canvas);
+  listenOn(field);
   field.addEventListener("input", (event) => {
     if (event.isComposing) return;
     if (event.inputType === "deleteContentBackward") key("Backspace", 1), key("Backspace", 0);
@@ -181,9 +185,11 @@ function listenToKeys(canvas, studio, wake, openFile) {
     studio._page_focus(1);
     wake();
   });
+  return listenOn;
 }
 
+// Returns what makes another element's keys the studio's.
 export function listen(canvas, studio, wake, openFile) {
   listenToPointers(canvas, studio, wake);
-  listenToKeys(canvas, studio, wake, openFile);
+  return listenToKeys(canvas, studio, wake, openFile);
 }

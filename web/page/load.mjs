@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fetches the program and compiles it while it comes in. `onBytes(loaded, total)`.
+// Fetches the program, packed by gzip, and compiles it while it comes in. `onBytes(loaded, total)`.
 
 export async function compileProgram(address, total, onBytes) {
   const response = await fetch(address);
@@ -15,13 +15,19 @@ export async function compileProgram(address, total, onBytes) {
     }),
   );
   const headers = { "Content-Type": "application/wasm" };
-  return WebAssembly.compileStreaming(new Response(counted, { headers }));
+  const unpacked = counted.pipeThrough(new DecompressionStream("gzip"));
+  return WebAssembly.compileStreaming(new Response(unpacked, { headers }));
 }
 
 // What Emscripten's modules take in order to run a program that is compiled already.
 export function instantiation(program) {
-  return (imports, receive) => {
-    WebAssembly.instantiate(program, imports).then((instance) => receive(instance, program));
+  return function (imports, receive) {
+    WebAssembly.instantiate(program, imports).then((instance) => {
+      receive(instance, program);
+      // A program with threads waits until all that it begins with are there, and for none of them
+      // it would wait for ever.
+      if (this.threads === 0) this.removeRunDependency?.("wasm-instantiate");
+    });
     return {};
   };
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The page: loads the program, draws frames when something happened, and opens what it is given.
+import { Controls } from "./controls.mjs";
 import { Address, announce, copyPicture, download, hideMessage, makeHost, showMessage } from "./host.mjs";
 import { listen } from "./input.mjs";
 import { compileProgram, instantiation } from "./load.mjs";
@@ -9,7 +10,7 @@ const byId = (id) => document.getElementById(id);
 const canvas = byId("canvas");
 const here = new URL("./", import.meta.url);
 
-let studio = null, pictures = null, exports = null, pending = 0, later = 0;
+let studio = null, pictures = null, exports = null, controls = null, pending = 0, later = 0, firstPicture = 0;
 
 // Calls a function of the program that takes texts and perhaps returns one.
 const call = (name, returns, ...texts) =>
@@ -34,7 +35,11 @@ function fitCanvas() {
 function frame() {
   pending = 0;
   const more = studio._page_frame(...fitCanvas());
-  if (studio._page_pictures_taken() > 0) document.documentElement.dataset.state = "ready";
+  controls.soon(studio._page_finished() === 1);
+  if (!firstPicture && studio._page_pictures_taken() > 0) {
+    firstPicture = performance.now();
+    document.documentElement.dataset.state = "ready";
+  }
   if (more === 1) wake();
   clearTimeout(later);
   if (more === 2) later = setTimeout(wake, 250);
@@ -112,10 +117,16 @@ function listenToFiles() {
     openFile(event.dataTransfer.files[0]);
   });
   document.addEventListener("paste", (event) => {
-    const { files } = event.clipboardData;
-    if (files.length > 0) openFile(files[0]);
-    else call("page_paste", null, event.clipboardData.getData("text/plain"));
+    if (event.target.closest?.(".field")) return;
     event.preventDefault();
+    const { files } = event.clipboardData;
+    if (files.length > 0) return openFile(files[0]);
+    const text = event.clipboardData.getData("text/plain");
+    // A link or a scene opens, but not while somebody writes.
+    const link = text.trim().match(/^(?:\S*#)?(v1:\S+)$/);
+    if (!studio._page_typing() && link) openFragment(link[1]);
+    else if (!studio._page_typing() && /^\s*\{/.test(text)) openFile(new File([text], "the pasted scene"));
+    else call("page_paste", null, text);
     wake();
   });
   byId("dismiss").addEventListener("click", () => {
@@ -147,23 +158,29 @@ function listenToSize() {
 
 // Beginning
 
-// A page that is isolated may use threads, where that build stands beside this one.
-async function rootOf() {
-  if (!globalThis.crossOriginIsolated || !document.querySelector('meta[name="versorium-threads"]'))
-    return { root: here, threads: 0 };
-  return { root: new URL("threads/", here), threads: Math.min(8, navigator.hardwareConcurrency || 1) };
+const meta = (name) => document.querySelector(`meta[name="${name}"]`).content;
+
+// A page that is isolated uses threads, where that build stands beside this one.
+function programHere() {
+  const threads = Number(meta("versorium-threads"));
+  if (!globalThis.crossOriginIsolated || !threads)
+    return { root: here, size: Number(meta("versorium-program-size")), threads: 0 };
+  const processors = navigator.hardwareConcurrency || 1;
+  return { root: new URL("threads/", here), size: threads, threads: Math.min(8, processors) };
 }
 
+// A part of the program, of this build.
+const partOf = (root, name) => new URL(`${name}?build=${meta("versorium-build")}`, root);
+
 async function begin() {
-  const { root, threads } = await rootOf();
-  const size = Number(document.querySelector('meta[name="versorium-program-size"]').content);
+  const { root, size, threads } = programHere();
   const [program, { default: create }] = await Promise.all([
-    compileProgram(new URL("versorium_studio.wasm", root), size, showBytes),
-    import(new URL("versorium_studio.mjs", root)),
+    compileProgram(partOf(root, "versorium_studio.packed"), size, showBytes),
+    import(partOf(root, "versorium_studio.mjs")),
   ]);
   byId("loaded").textContent = "Starting …";
   const address = new Address(openFragment);
-  const start = { program, root: root.href, threads };
+  const start = { program, root: root.href, build: meta("versorium-build"), threads };
   pictures = new Pictures(start, deliverPicture);
   let module = null;
   const page = makeHost({
@@ -171,30 +188,45 @@ async function begin() {
   });
   module = await create({
     page, threads: 0, instantiateWasm: instantiation(program),
-    locateFile: (name) => new URL(name, root).href,
+    locateFile: (name) => partOf(root, name).href,
     onAbort: (what) => showMessage(`The program stopped: ${what}. Load the page again.`),
   });
   exports = new Export(start, {
     onProgress: (progress) => { module._page_export_progress(progress); wake(); },
     onEnd: endExport,
   });
-  if (!module._page_start(/Mac|iP(hone|ad|od)/.test(navigator.platform) ? 1 : 0))
-    throw new Error("this browser gives no WebGL 2, which the studio draws with");
+  const graphics = module._page_start(/Mac|iP(hone|ad|od)/.test(navigator.platform) ? 1 : 0);
   studio = module;
-  listen(canvas, studio, wake, () => byId("file").click());
+  const keys = listen(canvas, studio, wake, () => byId("file").click());
+  const set = (id, value) => {
+    const taken = call("page_set_control", "number", id, value) === 1;
+    wake();
+    return taken;
+  };
+  controls = new Controls(byId("controls"), canvas, {
+    read: () => call("page_controls", "string"),
+    set,
+    mark: (view) => { studio._page_mark_view(view); wake(); },
+  });
+  controls.onView = keys;
   listenToContext();
   listenToFiles();
   listenToSize();
   byId("loading").remove();
   canvas.focus({ preventScroll: true });
   if (location.hash.length > 1) openFragment(location.hash.slice(1));
+  if (!graphics)
+    showMessage("This browser gives no WebGL 2: the processor draws, and everything is slower.");
   window.versorium = {
     get framesDrawn() { return studio._page_frames_drawn(); },
     get picturesTaken() { return studio._page_pictures_taken(); },
+    get firstPicture() { return firstPicture; }, // in milliseconds since the page was asked for
     get threads() { return threads; },
     get finished() { return studio._page_finished() === 1; },
     stop: () => studio._page_stop(),
     fragment: () => call("page_fragment", "string"),
+    set,
+    controls: () => call("page_controls", "string"),
   };
   wakeAnew();
 }
@@ -202,6 +234,12 @@ async function begin() {
 // Later visits come from the browser's own store, and work without a network.
 function keepForLater() {
   if (!("serviceWorker" in navigator) || !window.isSecureContext) return;
+  // The first one that comes brings nothing new.
+  let before = navigator.serviceWorker.controller;
+  navigator.serviceWorker.addEventListener("controllerchange", () => {
+    if (before) showMessage("There is a new version of this page: load it again to have it.");
+    before = navigator.serviceWorker.controller;
+  });
   navigator.serviceWorker.register(new URL("service_worker.js", here)).catch(() => {});
 }
 

@@ -1,20 +1,35 @@
 // SPDX-License-Identifier: MIT
 // Computes pictures and exports beside the page: one task after the other, with the page's program.
-// In: {program, root, threads} first, then {id, task: "picture" | "export", …}.
+// In: {program, root, build, threads} first, then {id, task: "picture" | "export", …}; {cancel: id} gives
+// up that task, where the program has threads to hear it.
 // Out: {id, …} for each task, {progress} now and then.
-import { instantiation } from "./load.mjs";
 
-let studio;
+let studio, done, threads, running;
 
-async function open({ program, root, threads }) {
-  const { default: create } = await import(root + "versorium_studio.mjs");
+async function open(start) {
+  const partOf = (name) => `${start.root}${name}?build=${start.build}`;
+  const { default: create } = await import(partOf("versorium_studio.mjs"));
+  const { instantiation } = await import("./load.mjs" + location.search);
+  threads = start.threads;
   return create({
-    instantiateWasm: instantiation(program),
-    locateFile: (name) => root + name,
-    mainScriptUrlOrBlob: root + "versorium_studio.mjs",
+    instantiateWasm: instantiation(start.program),
+    locateFile: partOf,
+    mainScriptUrlOrBlob: partOf("versorium_studio.mjs"),
     threads,
     progress: (progress) => postMessage({ progress }),
+    done: (bytes, message, seconds) => done({ bytes, message, seconds }),
   });
+}
+
+function run(module, task) {
+  const ended = new Promise((resolve) => (done = resolve));
+  if (task.task === "picture")
+    withTexts(module, [task.scene], (scene) =>
+      module._worker_picture(threads, scene, task.width, task.height, task.samples));
+  else
+    withTexts(module, [task.document, task.name], (document, name) =>
+      module._worker_export(threads, document, name));
+  return ended;
 }
 
 function withTexts(module, texts, work) {
@@ -25,24 +40,8 @@ function withTexts(module, texts, work) {
     module.stringToUTF8(text, pointer, size);
     return pointer;
   });
-  const done = work(...pointers);
+  work(...pointers);
   pointers.forEach((pointer) => module._free(pointer));
-  return done;
-}
-
-function run(module, task) {
-  const ok =
-    task.task === "picture"
-      ? withTexts(module, [task.scene], (scene) =>
-          module._worker_picture(scene, task.width, task.height, task.samples),
-        )
-      : withTexts(module, [task.document, task.name], (document, name) =>
-          module._worker_export(document, name),
-        );
-  if (!ok) return { message: module.UTF8ToString(module._worker_message()) };
-  const begin = module._worker_bytes();
-  const bytes = module.HEAPU8.slice(begin, begin + module._worker_size());
-  return { bytes, seconds: module._worker_seconds() };
 }
 
 onmessage = async ({ data }) => {
@@ -50,11 +49,19 @@ onmessage = async ({ data }) => {
     studio = open(data);
     return;
   }
+  if (data.cancel) {
+    if (data.cancel === running) (await studio)._worker_cancel();
+    return;
+  }
   let answer;
   try {
-    answer = run(await studio, data);
+    const module = await studio;
+    running = data.id;
+    answer = await run(module, data);
+    if (answer.message) delete answer.bytes;
   } catch (error) {
     answer = { message: `the computation stopped: ${error.message ?? error}`, broken: true };
   }
+  running = 0;
   postMessage({ id: data.id, ...answer }, answer.bytes ? [answer.bytes.buffer] : []);
 };

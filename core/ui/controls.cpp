@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: MIT
+#include "ui/controls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "render/renderer.h"
+
+namespace versorium {
+namespace {
+
+constexpr int kProbeIterations = 20000;
+
+// A control with what setting it does; that returns false where the value does not suit.
+struct Entry {
+    Control control;
+    std::function<bool(const std::string&)> set;
+};
+
+class Collector {
+  public:
+    explicit Collector(StudioContext& context) : context_(context) {}
+
+    std::vector<Entry> entries;
+    void begin(std::string group) { group_ = std::move(group); }
+
+    void number(const std::string& id, const std::string& label, double value, double step,
+                double low, double high, std::function<void(double)> set) {
+        const auto change = [=](const std::string& text) {
+            char* end = nullptr;
+            const double wanted = std::strtod(text.c_str(), &end);
+            if (text.empty() || *end != 0 || !(wanted >= low && wanted <= high)) return false;
+            set(wanted);
+            return true;
+        };
+        add({id, group_, label, ControlKind::number, formatNumber(value), step, {}}, change);
+    }
+    void choice(const std::string& id, const std::string& label, const std::string& value,
+                const std::vector<std::string>& options,
+                std::function<void(const std::string&)> set) {
+        const auto change = [=](const std::string& wanted) {
+            if (std::find(options.begin(), options.end(), wanted) == options.end()) return false;
+            if (wanted != value) set(wanted);
+            return true;
+        };
+        add({id, group_, label, ControlKind::choice, value, 0, options}, change);
+    }
+    void toggle(const std::string& id, const std::string& label, bool value,
+                std::function<void(bool)> set) {
+        const auto change = [=](const std::string& wanted) {
+            if (wanted != "on" && wanted != "off") return false;
+            set(wanted == "on");
+            return true;
+        };
+        add({id, group_, label, ControlKind::toggle, value ? "on" : "off", 0, {}}, change);
+    }
+    void colour(const std::string& id, const std::string& label, DisplayColour& value) {
+        const auto change = [&value](const std::string& wanted) {
+            const Expected<Colour> colour = colourFromHex(wanted);
+            if (!colour) return false;
+            const double alpha = value.a;
+            value = displayFromColour(*colour);
+            value.a = alpha;
+            return true;
+        };
+        DisplayColour opaque = value;
+        opaque.a = 1;
+        add({id,
+             group_,
+             label,
+             ControlKind::colour,
+             hexFromColour(colourFromDisplay(opaque)),
+             0,
+             {}},
+            change);
+    }
+    // Commands touch the workspace themselves.
+    void command(const std::string& id, const std::string& label, const std::string& keys,
+                 std::function<void()> run) {
+        const auto change = [run = std::move(run)](const std::string&) {
+            run();
+            return true;
+        };
+        entries.push_back({{id, group_, label, ControlKind::command, keys, 0, {}}, change});
+    }
+
+  private:
+    StudioContext& context_;
+    std::string group_;
+
+    void add(Control control, std::function<bool(const std::string&)> set) {
+        StudioContext* context = &context_;
+        const auto change = [context, set = std::move(set)](const std::string& value) {
+            if (!set(value)) return false;
+            context->welcome = false;
+            context->touch();
+            return true;
+        };
+        entries.push_back({std::move(control), change});
+    }
+};
+
+void collectMap(StudioContext& context, Collector& all) {
+    all.begin("Map");
+    // Some maps share a title.
+    const auto called = [](const MapInfo& info) {
+        return std::string(info.title) + " (" + std::string(info.name) + ")";
+    };
+    std::vector<std::string> names;
+    for (const MapKernels& map : catalogue()) names.push_back(called(map.info));
+    StudioContext* c = &context;
+    all.choice("map", "map", called(mapOf(context.workspace.views[0]).info), names,
+               [c, called](const std::string& name) {
+                   for (const MapKernels& map : catalogue())
+                       if (called(map.info) == name) return c->newMap(std::string(map.info.name));
+               });
+    // Nothing is chosen: a preset is a beginning, not a state.
+    std::vector<std::string> presets = presetNames();
+    all.choice("preset", "open a preset", "", presets, [c](const std::string& name) {
+        Expected<Scene> scene = presetNamed(name);
+        if (!scene) return c->report(scene.status());
+        c->open(workspaceOf(*scene));
+    });
+}
+
+void collectParameters(StudioContext& context, Collector& all) {
+    all.begin("Parameters");
+    StudioContext* c = &context;
+    const MapInfo& info = mapOf(context.workspace.views[0]).info;
+    int component = 0;
+    for (const ParameterInfo& parameter : info.parameters) {
+        const bool whole = parameter.kind == ParameterKind::whole;
+        for (int k = 0; k < widthOf(parameter.kind); ++k) {
+            const std::string name = parameterComponent(info, component++);
+            all.number(name, name, sharedNumber(context.workspace, name),
+                       whole ? 1 : (parameter.high - parameter.low) / 400, -1e6, 1e6,
+                       [c, name, whole](double value) {
+                           setSharedNumber(c->workspace, name, whole ? std::round(value) : value);
+                       });
+        }
+    }
+    all.command("reset", "The map's own parameters", "", [c, &info] {
+        for (const ParameterInfo& parameter : info.parameters) {
+            const auto* first = parameter.value.data();
+            setSharedParameter(c->workspace, std::string(parameter.name),
+                               {first, first + widthOf(parameter.kind)});
+        }
+        c->touch();
+    });
+}
+
+void collectOrbit(StudioContext& context, Collector& all) {
+    all.begin("Orbit");
+    StudioContext* c = &context;
+    const Scene& scene = context.workspace.view();
+    const MapKernels& map = mapOf(scene);
+    for (int k = 0; k < map.dimension; ++k) {
+        const std::string name = stateComponent(map.info, k);
+        all.number(name, "starting point " + name, sharedNumber(context.workspace, name), 0.01,
+                   -1e6, 1e6,
+                   [c, name](double value) { setSharedNumber(c->workspace, name, value); });
+    }
+    all.number("steps", "steps that are drawn", context.workspace.orbitSteps, 1, 0, 1000,
+               [c](double value) { c->workspace.orbitSteps = static_cast<int>(value); });
+    all.number("iterations", "max iterations N", scene.iterations, 50, 1, 1000000,
+               [c](double value) { c->workspace.view().iterations = static_cast<int>(value); });
+    const double radius = scene.escapeRadius.value_or(automaticRadius(scene));
+    if (std::isfinite(radius))
+        all.number("radius", "escape radius", radius, 0.5, 1e-6, 1e6,
+                   [c](double value) { c->workspace.view().escapeRadius = value; });
+}
+
+// The same number on both axes would be a line: the axes change places instead.
+void setAxis(Workspace& workspace, std::size_t axis, const std::string& name) {
+    SliceSpec& slice = workspace.view().slice;
+    const std::size_t other = 1 - axis;
+    const std::vector<std::pair<std::string, double>> wanted{{name, 1.0}};
+    if (other < slice.axes.size() && slice.axes[other].terms == wanted) {
+        std::swap(slice.axes[0], slice.axes[1]);
+        std::swap(slice.centre[0], slice.centre[1]);
+    } else {
+        slice.axes[axis].terms = wanted;
+        slice.centre[axis] = sharedNumber(workspace, name);
+    }
+    slice.origin.clear();
+    if (!showsParameters(workspace.view())) workspace.view().criticalStart.reset();
+}
+
+void collectSlice(StudioContext& context, Collector& all) {
+    all.begin("Slice of the marked view");
+    StudioContext* c = &context;
+    const Scene& scene = context.workspace.view();
+    const MapKernels& map = mapOf(scene);
+    std::vector<std::string> names;
+    for (int k = 0; k < map.dimension; ++k) names.push_back(stateComponent(map.info, k));
+    for (int k = 0; k < map.parameters; ++k) names.push_back(parameterComponent(map.info, k));
+    const std::size_t axes = std::min<std::size_t>(2, scene.slice.axes.size());
+    for (std::size_t k = 0; k < axes; ++k) {
+        const auto& terms = scene.slice.axes[k].terms;
+        all.choice("axis" + std::to_string(k), k == 0 ? "axis to the right" : "axis upwards",
+                   terms.size() == 1 ? terms[0].first : "", names,
+                   [c, k](const std::string& name) { setAxis(c->workspace, k, name); });
+    }
+    for (std::size_t k = 0; k < axes; ++k)
+        all.number("centre" + std::to_string(k), "centre, " + scene.slice.axes[k].terms[0].first,
+                   scene.slice.centre[k], scene.slice.height / 20, -1e6, 1e6, [c, k](double value) {
+                       c->workspace.view().slice.centre[k] = value;
+                       c->workspace.view().slice.centreLow[k] = 0;
+                   });
+    all.number("height", "height that is shown", scene.slice.height, scene.slice.height / 10, 1e-13,
+               1e6, [c](double value) { c->workspace.view().slice.height = value; });
+    all.number("samples", "samples along a pixel", scene.samples, 1, 1, kMostSamples,
+               [c](double value) { c->workspace.view().samples = static_cast<int>(value); });
+    if (map.criticalPoints > 0 && showsParameters(scene))
+        all.toggle("critical", "start at the critical point", scene.criticalStart.has_value(),
+                   [c](bool on) {
+                       std::optional<int>& start = c->workspace.view().criticalStart;
+                       if (on)
+                           start = 0;
+                       else
+                           start.reset();
+                   });
+}
+
+void collectGradient(Collector& all, const std::string& name, Gradient& gradient) {
+    all.colour(name + " fast", name + ": colour of the fast", gradient.start);
+    all.colour(name + " slow", name + ": colour of the slow", gradient.finish);
+    all.number(name + " exponent", name + ": colour exponent", gradient.exponent, 0.1, 0.01, 100,
+               [&gradient](double value) { gradient.exponent = value; });
+}
+
+void collectColours(StudioContext& context, Collector& all) {
+    all.begin("Colours of the marked view");
+    Colouring& colour = context.workspace.view().colour;
+    const auto word = [&](const char* id, const char* label, std::string& value,
+                          const std::vector<std::string>& options) {
+        all.choice(id, label, value, options,
+                   [&value](const std::string& wanted) { value = wanted; });
+    };
+    word("rule", "colour by", colour.rule, {"palette", "gradient", "versor", "phase"});
+    if (colour.rule == "palette") {
+        std::vector<std::string> fields;
+        for (const FieldInfo& field : allFields())
+            if (field.field != FieldName::versor) fields.emplace_back(field.name);
+        all.choice("field", "field", colour.field, fields, [&colour](const std::string& name) {
+            colour.field = name;
+            colour.range.clear();
+            colour.scale.clear();
+        });
+        const std::string own = "the field's own";
+        all.choice("scale", "scale", colour.scale.empty() ? own : colour.scale,
+                   {own, "linear", "log", "truncated_log", "sqrt", "cyclic"},
+                   [&colour, own](const std::string& name) {
+                       colour.scale = name == own ? std::string() : name;
+                   });
+        all.toggle("interior", "the set in its own colour", colour.interior == "membership",
+                   [&colour](bool on) { colour.interior = on ? "membership" : "none"; });
+    }
+    if (colour.rule == "palette" || colour.rule == "phase") {
+        word("palette", "palette", colour.palette, paletteNames());
+        all.toggle("reverse", "reversed", colour.reverse,
+                   [&colour](bool on) { colour.reverse = on; });
+    }
+    if (colour.rule == "gradient") {
+        collectGradient(all, "escaped", colour.escaped);
+        collectGradient(all, "attracted", colour.attracted);
+        word("smoothing", "smoothing", colour.smoothing, {"none", "ratio", "log-log"});
+    }
+    word("outline", "outline", colour.outline, {"none", "membership", "solid"});
+}
+
+void collectWindow(StudioContext& context, Collector& all) {
+    all.begin("Window");
+    StudioContext* c = &context;
+    const Workspace& workspace = context.workspace;
+    const auto count = static_cast<int>(workspace.views.size());
+    all.choice("layout", "number of views", std::to_string(count), {"1", "2", "4"},
+               [c](const std::string& wanted) { setViewCount(c->workspace, std::stoi(wanted)); });
+    std::vector<std::string> views;
+    for (int k = 1; k <= count; ++k) views.push_back(std::to_string(k));
+    all.choice("marked", "marked view", std::to_string(workspace.focused + 1), views,
+               [c](const std::string& wanted) { c->workspace.focused = std::stoi(wanted) - 1; });
+    all.toggle("maximised", "only the marked view", workspace.maximised,
+               [c](bool on) { c->workspace.maximised = on; });
+    std::vector<std::string> names;
+    for (const Theme& theme : themes()) names.push_back(theme.name);
+    all.choice("theme", "theme", names[context.theme], names, [c, names](const std::string& name) {
+        c->theme =
+            static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+        c->host.store("theme", name);
+        c->fontsChanged = true;
+    });
+    all.number("export", "pixels wide of an export", context.exporting.width, 100, 16, kMostPixels,
+               [c](double value) { c->exporting.width = static_cast<int>(value); });
+    all.command("begin export", "Export the marked view now", "", [c] { c->startExport(); });
+    if (context.host.exportProgress() >= 0)
+        all.command("cancel export", "Cancel the export", "", [c] { c->host.cancelExport(); });
+}
+
+void collectCommands(StudioContext& context, Collector& all) {
+    all.begin("Commands");
+    for (Command& command : commandsOf(context))
+        all.command("do " + command.name, command.name, command.keys, std::move(command.run));
+}
+
+std::vector<Entry> entriesOf(StudioContext& context) {
+    Collector all(context);
+    collectMap(context, all);
+    collectParameters(context, all);
+    collectOrbit(context, all);
+    collectSlice(context, all);
+    collectColours(context, all);
+    collectWindow(context, all);
+    collectCommands(context, all);
+    return std::move(all.entries);
+}
+
+const char* kindName(ControlKind kind) {
+    switch (kind) {
+        case ControlKind::number:
+            return "number";
+        case ControlKind::choice:
+            return "choice";
+        case ControlKind::toggle:
+            return "toggle";
+        case ControlKind::colour:
+            return "colour";
+        default:
+            return "command";
+    }
+}
+
+// What becomes of the orbit's starting point.
+std::string fate(StudioContext& context) {
+    const OrbitProgram* bound = context.orbitProgram();
+    if (!bound) return {};
+    OrbitProgram program = *bound;
+    program.iterations = std::min(program.iterations, kProbeIterations);
+    const SliceSpec slice = orbitScene(context.workspace).slice;
+    const double at[2] = {slice.centre[0], slice.centre.size() > 1 ? slice.centre[1] : 0};
+    const double* coordinates[2] = {&at[0], &at[1]};
+    const FieldName fields[] = {FieldName::membership, FieldName::escapeStep, FieldName::period};
+    const auto values = evaluateFields(program, 1, coordinates, fields);
+    if (values[0][0] != 1) return "; its orbit escapes at step " + formatNumber(values[1][0], 8);
+    std::string text = "; its orbit stays for " + std::to_string(program.iterations) + " steps";
+    if (values[2][0] > 0) text += ", drawn to a cycle of period " + formatNumber(values[2][0], 5);
+    return text;
+}
+
+}  // namespace
+
+std::vector<Control> controlsOf(StudioContext& context) {
+    std::vector<Control> controls;
+    for (Entry& entry : entriesOf(context)) controls.push_back(std::move(entry.control));
+    return controls;
+}
+
+bool setControl(StudioContext& context, const std::string& id, const std::string& value) {
+    for (const Entry& entry : entriesOf(context))
+        if (entry.control.id == id) return entry.set(value);
+    return false;
+}
+
+std::string describeView(StudioContext& context, int view) {
+    const Workspace& workspace = context.workspace;
+    const auto index = static_cast<std::size_t>(view);
+    const Scene& scene = workspace.views[index];
+    const bool parameters = showsParameters(scene);
+    std::string text = "View " + std::to_string(view + 1) + ", " +
+                       (parameters ? "parameters" : "starting points") + " of " +
+                       std::string(mapOf(scene).info.title) + ": height " +
+                       formatNumber(scene.slice.height, 3) + " around";
+    const auto marker = markerOf(workspace, index);
+    std::string ring = ". The ring is at";
+    for (std::size_t k = 0; k < std::min<std::size_t>(2, scene.slice.axes.size()); ++k) {
+        const std::string name = " " + scene.slice.axes[k].terms[0].first + " = ";
+        text += name + formatNumber(scene.slice.centre[k], 5);
+        ring += name + formatNumber(marker[k], 5);
+    }
+    return text + ring + (parameters ? std::string() : fate(context)) + ".";
+}
+
+std::string controlsText(StudioContext& context) {
+    Json controls = Json::array();
+    for (const Control& control : controlsOf(context)) {
+        Json entry{{"id", control.id},
+                   {"group", control.group},
+                   {"label", control.label},
+                   {"kind", kindName(control.kind)},
+                   {"value", control.value}};
+        if (control.kind == ControlKind::number) entry["step"] = control.step;
+        if (control.kind == ControlKind::choice) entry["options"] = control.options;
+        controls.push_back(std::move(entry));
+    }
+    Json views = Json::array();
+    const Workspace& workspace = context.workspace;
+    for (int k = 0; k < static_cast<int>(workspace.views.size()); ++k) {
+        const ViewState& state = context.views[static_cast<std::size_t>(k)];
+        Json view{{"text", describeView(context, k)}};
+        if (state.low.x < state.high.x) {
+            view["low"] = {state.low.x, state.low.y};
+            view["high"] = {state.high.x, state.high.y};
+        }
+        views.push_back(std::move(view));
+    }
+    return Json{{"controls", controls}, {"views", views}, {"focused", workspace.focused}}.dump();
+}
+
+}  // namespace versorium

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// A canvas says nothing to a screen reader and has nothing for Tab to walk through. So everything
+// that can be set or done in the studio stands here once more, as controls of the page: unseen until
+// one has the focus, and in step with the studio. Each view has a place to focus as well, whose keys
+// go to the studio.
+import { announce } from "./host.mjs";
+
+const every = 300; // milliseconds between two looks at the studio
+
+const make = (tag, properties = {}, ...children) => {
+  const element = Object.assign(document.createElement(tag), properties);
+  element.append(...children);
+  return element;
+};
+
+// One control: its element, where to read and write it, and what of it cannot change in place.
+function makeField({ id, label, kind, step, options }, set) {
+  if (kind === "command") {
+    const element = make("button", { type: "button", className: "field", textContent: label });
+    element.addEventListener("click", () => set(id, ""));
+    const show = (keys) => keys && element.setAttribute("aria-keyshortcuts", keys.replaceAll(" ", "+"));
+    return { element, show };
+  }
+  const input =
+    kind === "choice" ? make("select")
+    : make("input", { type: { number: "text", toggle: "checkbox", colour: "color" }[kind] });
+  let now = "";
+  if (kind === "choice") fillChoice(input, options);
+  if (kind === "number") {
+    input.setAttribute("role", "spinbutton");
+    input.inputMode = "decimal";
+    input.addEventListener("keydown", (event) => {
+      const steps = { ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
+      if (!steps) return;
+      event.preventDefault();
+      const wanted = Number(input.value) + steps * input.step_;
+      input.value = String(Number(wanted.toPrecision(12)));
+      input.dispatchEvent(new Event("change"));
+    });
+    input.step_ = step;
+  }
+  input.addEventListener("change", () => {
+    const value = kind === "toggle" ? (input.checked ? "on" : "off") : input.value;
+    if (value === now) return;
+    if (set(id, value)) return void (now = value);
+    announce(`${label} cannot be ${value}`);
+    show(now, true);
+  });
+  const show = (value, anyway) => {
+    // What somebody is typing is left alone.
+    if (!anyway && value === now) return;
+    now = value;
+    if (kind === "toggle") input.checked = value === "on";
+    else input.value = value;
+    if (kind === "number") input.setAttribute("aria-valuenow", value);
+    if (kind === "choice" && input.value !== value) input.selectedIndex = -1;
+  };
+  return { element: make("label", { className: "field" }, label + " ", input), input, show };
+}
+
+function fillChoice(select, options) {
+  select.replaceChildren(...options.map((text) => make("option", { textContent: text, value: text })));
+}
+
+export class Controls {
+  // `read` gives the JSON of ui/controls.h, `set(id, value)` says whether it was taken, and
+  // `mark(view)` makes a view the one that keys act on.
+  constructor(home, canvas, { read, set, mark }) {
+    Object.assign(this, { home, canvas, read, set, mark });
+    this.fields = new Map();
+    this.views = [];
+    this.shape = this.text = this.sentence = "";
+    home.addEventListener("keydown", (event) => {
+      if (event.key === "Escape") canvas.focus({ preventScroll: true });
+    });
+  }
+
+  // The studio may have changed.
+  soon(resting) {
+    this.resting = resting;
+    this.timer ||= setTimeout(() => {
+      this.timer = 0;
+      this.refresh();
+    }, every);
+  }
+
+  refresh() {
+    const text = this.read();
+    if (text !== this.text) {
+      this.text = text;
+      const { controls, views, focused } = JSON.parse(text);
+      const shape = JSON.stringify(controls.map(({ id, label, options }) => [id, label, options]));
+      if (shape !== this.shape) this.build(controls, shape);
+      for (const control of controls) {
+        const field = this.fields.get(control.id);
+        if (field.input) field.input.step_ = control.step;
+        field.show(control.value);
+      }
+      this.place(views);
+      this.sentence = views[focused]?.text ?? "";
+    }
+    // Only what came to rest is spoken.
+    const shown = document.getElementById("shown");
+    if (this.resting && this.sentence !== shown.textContent) shown.textContent = this.sentence;
+  }
+
+  // The control that has the focus keeps it, where it is still there.
+  build(controls, shape) {
+    this.shape = shape;
+    const focused = document.activeElement?.closest?.(".field")?.dataset.id;
+    const groups = new Map();
+    this.fields.clear();
+    for (const control of controls) {
+      const field = makeField(control, this.set);
+      field.element.dataset.id = control.id;
+      this.fields.set(control.id, field);
+      if (!groups.has(control.group)) groups.set(control.group, [make("legend", { textContent: control.group })]);
+      groups.get(control.group).push(field.element);
+    }
+    this.home.replaceChildren(...[...groups.values()].map((parts) => make("fieldset", {}, ...parts)));
+    if (!focused) return;
+    const again = this.fields.get(focused);
+    if (again) (again.input ?? again.element).focus({ preventScroll: true });
+    else this.canvas.focus({ preventScroll: true });
+  }
+
+  place(views) {
+    while (this.views.length > views.length) this.views.pop().remove();
+    while (this.views.length < views.length) {
+      const index = this.views.length;
+      const view = make("div", { className: "view", tabIndex: 0 });
+      view.setAttribute("role", "application");
+      view.addEventListener("focus", () => this.mark(index));
+      this.views.push(view);
+      this.home.before(view);
+      this.onView?.(view);
+    }
+    const scale = this.canvas.clientWidth / Math.max(1, this.canvas.width);
+    views.forEach(({ text, low, high }, index) => {
+      const view = this.views[index];
+      view.setAttribute("aria-label", `${text} Arrow keys pan, plus and minus zoom.`);
+      view.hidden = !low;
+      if (!low) return;
+      const [left, top, right, bottom] = [...low, ...high].map((length) => `${length * scale}px`);
+      Object.assign(view.style, { left, top, width: `calc(${right} - ${left})`, height: `calc(${bottom} - ${top})` });
+    });
+  }
+}
