@@ -13,7 +13,6 @@
 namespace versorium {
 namespace {
 
-constexpr std::array<const char*, 3> kRendererWords = {"automatic", "graphics", "processor"};
 constexpr double kPinchPause = 0.5;  // seconds
 
 Workspace firstWorkspace() {
@@ -47,6 +46,17 @@ StudioContext::StudioContext(Host& shell)
     for (std::size_t k = 0; k < kRendererWords.size(); ++k)
         if (stored == kRendererWords[k]) renderer = static_cast<RendererChoice>(k);
     gallery.load(host);
+}
+
+void StudioContext::animate(const std::string& name, double low, double high) {
+    const double part = (sharedNumber(workspace, name) - low) / (high - low);
+    animation = {.number = name,
+                 .low = low,
+                 .high = high,
+                 .seconds = animation.seconds,
+                 .phase = std::acos(std::clamp(1 - 2 * part, -1.0, 1.0)),
+                 .running = true};
+    host.wake();
 }
 
 void StudioContext::touch() {

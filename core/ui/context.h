@@ -62,6 +62,7 @@ struct FileList {
 // Who draws live pictures: automatic is the graphics processor, unless its driver computes in
 // software.
 enum class RendererChoice { automatic, graphics, processor };
+inline constexpr std::array<const char*, 3> kRendererWords = {"automatic", "graphics", "processor"};
 
 struct StudioContext {
     explicit StudioContext(Host& host);
@@ -98,6 +99,9 @@ struct StudioContext {
         double low = 0, high = 1, seconds = 8, phase = 0;
         bool running = false;
     } animation;
+
+    // Moves a number to and fro between two others, from where it is.
+    void animate(const std::string& name, double low, double high);
 
     // The workspace has changed.
     void touch();

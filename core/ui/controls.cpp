@@ -140,6 +140,18 @@ void collectParameters(StudioContext& context, Collector& all) {
                        });
         }
     }
+    std::vector<std::string> numbers{"none"};
+    for (int k = 0; k < component; ++k) numbers.push_back(parameterComponent(info, k));
+    const StudioContext::Animation& moving = context.animation;
+    const bool runs =
+        moving.running && std::find(numbers.begin(), numbers.end(), moving.number) != numbers.end();
+    all.choice("animate", "number that is animated", runs ? moving.number : "none", numbers,
+               [c](const std::string& name) {
+                   c->animation.running = false;
+                   if (name == "none") return;
+                   const double now = sharedNumber(c->workspace, name);
+                   c->animate(name, now - 1, now + 1);
+               });
     all.command("reset", "The map's own parameters", "", [c, &info] {
         for (const ParameterInfo& parameter : info.parameters) {
             const auto* first = parameter.value.data();
@@ -161,6 +173,11 @@ void collectOrbit(StudioContext& context, Collector& all) {
                    -1e6, 1e6,
                    [c, name](double value) { setSharedNumber(c->workspace, name, value); });
     }
+    all.number("marked step", "step that is marked", context.workspace.orbitAt, 1, 0,
+               kMostOrbitSteps,
+               [c](double value) { c->stepOrbit(static_cast<int>(value) - c->workspace.orbitAt); });
+    all.toggle("arrows", "arrows from points to their images", context.workspace.arrows,
+               [c](bool on) { c->workspace.arrows = on; });
     all.number("steps", "steps that are drawn", context.workspace.orbitSteps, 1, 0, 1000,
                [c](double value) { c->workspace.orbitSteps = static_cast<int>(value); });
     all.number("iterations", "max iterations N", scene.iterations, 50, 1, 1000000,
@@ -171,30 +188,12 @@ void collectOrbit(StudioContext& context, Collector& all) {
                    [c](double value) { c->workspace.view().escapeRadius = value; });
 }
 
-// The same number on both axes would be a line: the axes change places instead.
-void setAxis(Workspace& workspace, std::size_t axis, const std::string& name) {
-    SliceSpec& slice = workspace.view().slice;
-    const std::size_t other = 1 - axis;
-    const std::vector<std::pair<std::string, double>> wanted{{name, 1.0}};
-    if (other < slice.axes.size() && slice.axes[other].terms == wanted) {
-        std::swap(slice.axes[0], slice.axes[1]);
-        std::swap(slice.centre[0], slice.centre[1]);
-    } else {
-        slice.axes[axis].terms = wanted;
-        slice.centre[axis] = sharedNumber(workspace, name);
-    }
-    slice.origin.clear();
-    if (!showsParameters(workspace.view())) workspace.view().criticalStart.reset();
-}
-
 void collectSlice(StudioContext& context, Collector& all) {
     all.begin("Slice of the marked view");
     StudioContext* c = &context;
     const Scene& scene = context.workspace.view();
     const MapKernels& map = mapOf(scene);
-    std::vector<std::string> names;
-    for (int k = 0; k < map.dimension; ++k) names.push_back(stateComponent(map.info, k));
-    for (int k = 0; k < map.parameters; ++k) names.push_back(parameterComponent(map.info, k));
+    const std::vector<std::string> names = axisNames(scene);
     const std::size_t axes = std::min<std::size_t>(2, scene.slice.axes.size());
     for (std::size_t k = 0; k < axes; ++k) {
         const auto& terms = scene.slice.axes[k].terms;
@@ -291,6 +290,13 @@ void collectWindow(StudioContext& context, Collector& all) {
         c->host.store("theme", name);
         c->fontsChanged = true;
     });
+    const auto renderer = static_cast<std::size_t>(context.renderer);
+    all.choice("renderer", "who draws live pictures", kRendererWords[renderer],
+               {kRendererWords.begin(), kRendererWords.end()}, [c](const std::string& wanted) {
+                   const auto* found =
+                       std::find(kRendererWords.begin(), kRendererWords.end(), wanted);
+                   c->choose(static_cast<RendererChoice>(found - kRendererWords.begin()));
+               });
     all.number("export", "pixels wide of an export", context.exporting.width, 100, 16, kMostPixels,
                [c](double value) { c->exporting.width = static_cast<int>(value); });
     all.command("begin export", "Export the marked view now", "", [c] { c->startExport(); });

@@ -125,32 +125,12 @@ void parameters(StudioContext& context) {
     }
 }
 
-// All numbers that an axis may stand for.
-std::vector<std::string> axisNames(const Scene& scene) {
-    const MapKernels& map = mapOf(scene);
-    std::vector<std::string> names;
-    for (int k = 0; k < map.dimension; ++k) names.push_back(stateComponent(map.info, k));
-    for (int k = 0; k < map.parameters; ++k) names.push_back(parameterComponent(map.info, k));
-    return names;
-}
-
 void axisControl(StudioContext& context, std::size_t k) {
-    Scene& scene = context.workspace.view();
-    auto& terms = scene.slice.axes[k].terms;
+    const Scene& scene = context.workspace.view();
+    const auto& terms = scene.slice.axes[k].terms;
     std::string name = terms.size() == 1 ? terms[0].first : "";
     if (!choose(k == 0 ? "axis →" : "axis ↑", "axis", name, axisNames(scene), "several")) return;
-    const std::size_t other = 1 - k;
-    // The same number on both axes would be a line: the axes change places instead.
-    if (scene.slice.axes.size() > 1 && scene.slice.axes[other].terms.size() == 1 &&
-        scene.slice.axes[other].terms[0].first == name) {
-        std::swap(scene.slice.axes[0], scene.slice.axes[1]);
-        std::swap(scene.slice.centre[0], scene.slice.centre[1]);
-    } else {
-        terms = {{name, 1.0}};
-        scene.slice.centre[k] = sharedNumber(context.workspace, name);
-    }
-    scene.slice.origin.clear();
-    if (!showsParameters(scene)) scene.criticalStart.reset();
+    setAxis(context.workspace, k, name);
     context.touch();
 }
 

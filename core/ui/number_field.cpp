@@ -21,18 +21,10 @@ bool exactField(const char* label, double& value, double step, const char* forma
 
 void toggleAnimation(StudioContext& context, const std::string& name, double low, double high) {
     StudioContext::Animation& animation = context.animation;
-    if (animation.running && animation.number == name) {
+    if (animation.running && animation.number == name)
         animation.running = false;
-        return;
-    }
-    const double now = sharedNumber(context.workspace, name);
-    animation = {.number = name,
-                 .low = low,
-                 .high = high,
-                 .seconds = animation.seconds,
-                 .phase = std::acos(std::clamp(1 - 2 * (now - low) / (high - low), -1.0, 1.0)),
-                 .running = true};
-    context.host.wake();
+    else
+        context.animate(name, low, high);
 }
 
 void drawMenu(StudioContext& context, const std::string& name, double& value,

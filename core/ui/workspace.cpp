@@ -245,6 +245,29 @@ bool setBorder(Scene& scene, int border, double value, double aspect) {
     return true;
 }
 
+std::vector<std::string> axisNames(const Scene& scene) {
+    const MapKernels& map = mapOf(scene);
+    std::vector<std::string> names;
+    for (int k = 0; k < map.dimension; ++k) names.push_back(stateComponent(map.info, k));
+    for (int k = 0; k < map.parameters; ++k) names.push_back(parameterComponent(map.info, k));
+    return names;
+}
+
+void setAxis(Workspace& workspace, std::size_t axis, const std::string& name) {
+    SliceSpec& slice = workspace.view().slice;
+    const std::size_t other = 1 - axis;
+    const std::vector<std::pair<std::string, double>> wanted{{name, 1.0}};
+    if (other < slice.axes.size() && slice.axes[other].terms == wanted) {
+        std::swap(slice.axes[0], slice.axes[1]);
+        std::swap(slice.centre[0], slice.centre[1]);
+    } else {
+        slice.axes[axis].terms = wanted;
+        slice.centre[axis] = sharedNumber(workspace, name);
+    }
+    slice.origin.clear();
+    if (!showsParameters(workspace.view())) workspace.view().criticalStart.reset();
+}
+
 void History::record(const Workspace& workspace) {
     if (workspaceToJson(workspace) == workspaceToJson(now())) return;
     states_.resize(at_ + 1);

@@ -72,6 +72,12 @@ double shownHeight(const Scene& view, double aspect);
 // not depend on, since they run along its axes. Views that differ in these alone look the same.
 Scene pictureScene(const Scene& view, double aspect);
 
+// All numbers that an axis of a slice may stand for.
+std::vector<std::string> axisNames(const Scene& scene);
+// Lets an axis of the focused view stand for a number. The same number on both axes would be a
+// line: the axes change places instead.
+void setAxis(Workspace& workspace, std::size_t axis, const std::string& name);
+
 // A scene whose points are the starting points around `workspace.point`; for orbits and probes.
 Scene orbitScene(const Workspace& workspace);
 
