@@ -141,8 +141,9 @@ class Window(unittest.TestCase):
         with open(deep, "w") as scene:
             scene.write('{"document": 1, "kind": "scene", "body": {"versorium": 1, "map": "quadratic",'
                         ' "iterations": 300, "samples": 1,'
-                        ' "slice": {"axes": ["z.re", "z.im"], "center": [0.35, 0.2], "height": 1e-9}}}')
-        for scene in ("julia", "quaternion-julia", "shape-modulus", deep):
+                        ' "slice": {"axes": [{"z.re": 1}, {"z.im": 1}], "center": [0.35, 0.2],'
+                        ' "height": 1e-9}}}')
+        for scene in ("julia", "quaternion-julia", deep):
             pictures = []
             for who in ("graphics", "processor"):
                 self.draw_by(who)
