@@ -6,7 +6,7 @@ import { execFileSync, spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { changed, fragment, patience, prepare, runAll, waitFor } from "./browser.mjs";
+import { changed, difference, fragment, patience, prepare, runAll, waitFor } from "./browser.mjs";
 
 const [root, program, screenshots] = process.argv.slice(2);
 const { browser } = await prepare(root);
@@ -48,6 +48,23 @@ const became = (page, wanted) =>
 
 const left = { x: 10, y: 40, width: 440, height: 540 };
 const right = { x: 480, y: 40, width: 440, height: 540 };
+
+// The page's graphics context is lost and given back.
+const loseContext = (page) =>
+  page.evaluate(async () => {
+    const canvas = document.getElementById("canvas");
+    const extension = canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
+    const once = (name) => new Promise((done) => canvas.addEventListener(name, done, { once: true }));
+    const lost = once("webglcontextlost");
+    extension.loseContext();
+    await lost;
+    await new Promise((done) => setTimeout(done, 20));
+    const restored = once("webglcontextrestored");
+    extension.restoreContext();
+    await restored;
+    // Some frames in the new one, as many as it can draw meanwhile.
+    await new Promise((done) => setTimeout(done, 50));
+  });
 
 const tests = {
   async "first picture, figures"(browser, address) {
@@ -151,25 +168,39 @@ const tests = {
     await page.waitForTimeout(500);
     const before = await look(page, left);
     for (let k = 0; k < 50; ++k)
-      await page.evaluate(async () => {
-        const canvas = document.getElementById("canvas");
-        const extension = canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
-        const once = (name) => new Promise((done) => canvas.addEventListener(name, done, { once: true }));
-        const lost = once("webglcontextlost");
-        extension.loseContext();
-        await lost;
-        await new Promise((done) => setTimeout(done, 20));
-        const restored = once("webglcontextrestored");
-        extension.restoreContext();
-        await restored;
-        // Some frames in the new one, as many as it can draw meanwhile.
-        await new Promise((done) => setTimeout(done, 50));
-      });
+      await loseContext(page);
     const frames = await page.evaluate(() => versorium.framesDrawn);
     await waitFor(page, (before) => versorium.framesDrawn > before, frames);
     await finished(page);
     await page.waitForTimeout(500);
     assert.ok(before.equals(await look(page, left)), "the picture is another one");
+    await page.context().close();
+  },
+
+  async "drawn by the graphics processor it is the same picture, and again in a new context"(browser, address) {
+    const page = await open(browser, address, { viewport: { width: 1000, height: 420 } });
+    await finished(page);
+    const link = await fragment(page);
+    const area = { x: 10, y: 40, width: 280, height: 160 };
+    const shots = [];
+    for (const who of ["processor", "graphics"]) {
+      await page.evaluate((who) => localStorage.setItem("versorium.renderer", who), who);
+      await page.goto(address + "#" + link);
+      await page.reload();
+      await waitFor(page, () => document.documentElement.dataset.state === "ready");
+      await page.mouse.move(900, 415);
+      await finished(page);
+      await page.waitForTimeout(500);
+      shots.push(await look(page, area));
+    }
+    const { share } = await difference(browser, ...shots);
+    assert.ok(share < 0.03, `${share} of the pixels differ`);
+    assert.ok(!shots[0].equals(shots[1]), "32 bits drew what 64 bits draw");
+    await loseContext(page);
+    await finished(page);
+    await page.waitForTimeout(500);
+    assert.ok(shots[1].equals(await look(page, area)), "the picture is another one");
+    assert.deepEqual(page.faults, []);
     await page.context().close();
   },
 
