@@ -218,8 +218,9 @@ bool GpuPicture::awaitUnit(double seconds, double target) {
     // A draw that another program held up is forgotten after a while.
     slowest_ *= kForgetting;
     // A fence that was passed before anybody looked only says that the draw took no longer than
-    // what lay between: in a browser that is a whole frame.
-    if (result == GL_ALREADY_SIGNALED && looks_ == 1) {
+    // what lay between. In a browser that is a frame at least, or two: a fence is never waited for.
+    if (renderer_.limits().longestWait == 0 || (result == GL_ALREADY_SIGNALED && looks_ == 1)) {
+        if (took > kLongestFrame) slowest_ = std::min(slowest_, measured);
         if (took < kFrame)
             rate_ = std::min(rate_ * kGrowth, slowest_ * kAboveSlowest);
         else if (took > kLongestFrame)
