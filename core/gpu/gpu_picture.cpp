@@ -21,8 +21,9 @@ constexpr double kFirstRate = 5e6;   // cautious: a slow processor's, for an exp
 constexpr double kGrowth = 2;        // of the rate from draw to draw
 constexpr double kAboveSlowest = 3;  // rows of escaped orbits are fast, the next may not be
 constexpr double kForgetting = 1.02;
-// Between one frame and the next, in seconds: faster leaves room for more, slower asks for less.
-constexpr double kFrame = 0.07, kLongestFrame = 0.1;
+// From a draw to its fence where that is seen late: three or four frames pass in a browser whatever
+// was drawn. Faster leaves room for more, slower asks for less; in seconds.
+constexpr double kFrame = 0.1, kLongestFrame = 0.15;
 constexpr double kShrinking = 0.6;
 
 double now() {

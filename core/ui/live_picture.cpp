@@ -230,7 +230,9 @@ void LivePicture::contextLost() {
     // Orbits are iterated anew; what the host drew is still there.
     gpuOrbits_.clear();
     gpuWorking_ = false;
-    if (pixels_.empty()) wanted_.clear();
+    if (!pixels_.empty()) return;
+    wanted_.clear();
+    stage_ = 0;
 }
 
 }  // namespace versorium
