@@ -6,6 +6,7 @@ import { execFileSync, spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { deflateSync, inflateSync } from "node:zlib";
 import { changed, difference, fragment, patience, prepare, runAll, waitFor } from "./browser.mjs";
 
 const [root, program, screenshots] = process.argv.slice(2);
@@ -45,6 +46,10 @@ async function open(browser, address, options = {}) {
 
 const became = (page, wanted) =>
   waitFor(page, (is) => window.versorium.fragment() === is, wanted);
+
+// A link's fragment, and the workspace in it.
+const unpacked = (link) => JSON.parse(inflateSync(Buffer.from(link.slice(3), "base64url")));
+const packed = (workspace) => "v1:" + deflateSync(JSON.stringify(workspace)).toString("base64url");
 
 const left = { x: 10, y: 40, width: 440, height: 540 };
 const right = { x: 480, y: 40, width: 440, height: 540 };
@@ -177,18 +182,22 @@ const tests = {
     await page.context().close();
   },
 
+  // One light view, since a program draws in place of the graphics processor here.
   async "drawn by the graphics processor it is the same picture, and again in a new context"(browser, address) {
-    const page = await open(browser, address, { viewport: { width: 1000, height: 420 } });
+    const page = await open(browser, address, { viewport: { width: 640, height: 300 } });
     await finished(page);
-    const link = await fragment(page);
-    const area = { x: 10, y: 40, width: 280, height: 160 };
+    const workspace = unpacked(await fragment(page));
+    workspace.views = [{ ...workspace.views[0], iterations: 60, samples: 1 }];
+    workspace.focused = 0;
+    const link = packed(workspace);
+    const area = { x: 10, y: 40, width: 240, height: 180 };
     const shots = [];
     for (const who of ["processor", "graphics"]) {
       await page.evaluate((who) => localStorage.setItem("versorium.renderer", who), who);
       await page.goto(address + "#" + link);
       await page.reload();
       await waitFor(page, () => document.documentElement.dataset.state === "ready");
-      await page.mouse.move(900, 415);
+      await page.mouse.move(600, 295);
       await finished(page);
       await page.waitForTimeout(500);
       shots.push(await look(page, area));
@@ -197,6 +206,8 @@ const tests = {
     assert.ok(share < 0.03, `${share} of the pixels differ`);
     assert.ok(!shots[0].equals(shots[1]), "32 bits drew what 64 bits draw");
     await loseContext(page);
+    const taken = await page.evaluate(() => versorium.framesDrawn);
+    await waitFor(page, (before) => versorium.framesDrawn > before, taken);
     await finished(page);
     await page.waitForTimeout(500);
     const again = await difference(browser, shots[1], await look(page, area));
