@@ -87,6 +87,8 @@ Status GpuPicture::recolour(const Scene& scene) {
         return Status::usage("there is no picture yet whose colours could change");
     if (scene.colour.outline != "none")
         return Status::usage("the CPU draws this: the outline needs a pixel's neighbours");
+    if (!scene.layers.empty())
+        return Status::usage("the CPU draws this: it lays the images behind and in front");
     OrbitProgram program = orbits_.program;
     program.iso = scene.iso;
     Expected<ColourPass> pass = ColourPass::make(scene, program);

@@ -23,9 +23,18 @@ class Job {
     // From 0 to 1; never falls while one parallelFor runs.
     double progress() const {
         const std::size_t total = total_.load(std::memory_order_relaxed);
-        return total == 0 ? 0.0
-                          : static_cast<double>(done_.load(std::memory_order_relaxed)) /
-                                static_cast<double>(total);
+        const double from = from_.load(std::memory_order_relaxed);
+        const double done = total == 0
+                                ? 0.0
+                                : static_cast<double>(done_.load(std::memory_order_relaxed)) /
+                                      static_cast<double>(total);
+        return from + (to_.load(std::memory_order_relaxed) - from) * done;
+    }
+    // What runs next is this part of the whole: progress goes from `from` to `to`, both in [0, 1].
+    void setPart(double from, double to) {
+        done_.store(0, std::memory_order_relaxed);
+        from_.store(from, std::memory_order_relaxed);
+        to_.store(to, std::memory_order_relaxed);
     }
 
     // Number of threads to use; 0 means one for each processor.
@@ -43,6 +52,7 @@ class Job {
     std::atomic<bool> cancelled_{false};
     std::atomic<std::size_t> done_{0};
     std::atomic<std::size_t> total_{0};
+    std::atomic<double> from_{0}, to_{1};
 };
 
 }  // namespace versorium

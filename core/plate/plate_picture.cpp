@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "plate/plate_picture.h"
 
+#include <algorithm>
+
 #include "base/embedded.h"
 #include "io/png.h"
 #include "plate/scene_panels.h"
@@ -107,8 +109,12 @@ Status assign(PlateDocument& document, const Assignment& assignment) {
 }
 
 Expected<PlateFile> renderPlate(CpuRenderer& renderer, const PlateDocument& document, Job& job) {
-    Expected<PlatePicture> picture =
-        layoutPlate(document.plate, document.options, scenePanels(renderer, document.assets, job));
+    const auto panels = std::count_if(
+        document.plate.panels.begin(), document.plate.panels.end(),
+        [](const PlatePanel& panel) { return panel.kind == PanelKind::scene; });
+    Expected<PlatePicture> picture = layoutPlate(
+        document.plate, document.options,
+        scenePanels(renderer, document.assets, job, std::max(1, static_cast<int>(panels))));
     if (!picture) return picture.status();
     Document carried;
     carried.kind = "plate";

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "plate/scene_panels.h"
 
+#include <algorithm>
+#include <memory>
+
 #include "io/document.h"
 #include "render/colouring.h"
 #include "scene/numbers.h"
@@ -159,17 +162,21 @@ Expected<PanelInfo> describeScene(CpuRenderer& renderer, const Scene& scene, Job
     return info;
 }
 
-PanelSource scenePanels(CpuRenderer& renderer, const Json& assets, Job& job) {
+PanelSource scenePanels(CpuRenderer& renderer, const Json& assets, Job& job, int panels) {
     PanelSource source;
+    const auto drawn = std::make_shared<int>(0);
     source.describe = [&renderer, assets, &job](const Json& json) -> Expected<PanelInfo> {
         Expected<Scene> scene = sceneWithAssets(json, assets);
         if (!scene) return scene.status();
         return describeScene(renderer, *scene, job);
     };
-    source.draw = [&renderer, assets, &job](const Json& json, Size pixels,
-                                            double lineWidth) -> Expected<Raster<float>> {
+    source.draw = [&renderer, assets, &job, panels, drawn](
+                      const Json& json, Size pixels, double lineWidth) -> Expected<Raster<float>> {
         Expected<Scene> scene = sceneWithAssets(json, assets);
         if (!scene) return scene.status();
+        job.setPart(static_cast<double>(*drawn) / panels,
+                    std::min(1.0, static_cast<double>(*drawn + 1) / panels));
+        ++*drawn;
         Frame frame;
         const RenderOptions options{.lineWidth = lineWidth};
         if (Status status = renderer.render(*scene, pixels, options, job, frame); !status.ok())

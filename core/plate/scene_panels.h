@@ -8,8 +8,9 @@
 
 namespace versorium {
 
-// `renderer` and `job` outlive the source. `assets` are those of the plate's document.
-PanelSource scenePanels(CpuRenderer& renderer, const Json& assets, Job& job);
+// `renderer` and `job` outlive the source. `assets` are those of the plate's document, of whose
+// scenes there are `panels`: each draws its part of the job.
+PanelSource scenePanels(CpuRenderer& renderer, const Json& assets, Job& job, int panels);
 
 Expected<PanelInfo> describeScene(CpuRenderer& renderer, const Scene& scene, Job& job);
 // A sentence about the picture, plain text: map, parameters, plane, rule of colour.

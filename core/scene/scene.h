@@ -75,6 +75,23 @@ struct Colouring {
     friend bool operator==(const Colouring&, const Colouring&) = default;
 };
 
+// An image behind the fractal or in front of it (A section 5.3), of which the fractal's own alpha
+// lets something through. Lengths are in heights of the picture.
+struct Layer {
+    // "leaf", the program's own; "#rrggbb", a sheet of one colour that fills the picture; or
+    // "asset:" and the SHA-256 of an image. Several are the frames of a sequence.
+    std::vector<std::string> sources{"leaf"};
+    double frame = 0;  // of a sequence; it begins again after the last one
+    bool front = false;
+    double x = 0, y = 0;  // the image's middle from the picture's, to the right and up
+    double scale = 1;     // the image's height, above 0
+    double opacity = 1;   // in [0, 1]
+    friend bool operator==(const Layer&, const Layer&) = default;
+};
+inline constexpr const char* kLeafLayer = "leaf";
+inline constexpr std::size_t kMostLayers = 8;
+inline constexpr std::size_t kMostFrames = 1000;
+
 struct Scene {
     static constexpr int kVersion = 1;
     std::string map = "quadratic";
@@ -90,8 +107,9 @@ struct Scene {
     double iso = 0;                      // of the field `solid`
     TrapSpec trap;
     Colouring colour;
-    double aspect = 1;  // width / height of the picture
-    int samples = 2;    // along each side of a pixel, averaged in linear light
+    std::vector<Layer> layers;  // from the bottom up
+    double aspect = 1;          // width / height of the picture
+    int samples = 2;            // along each side of a pixel, averaged in linear light
     std::map<std::string, std::shared_ptr<const Asset>> assets;  // by SHA-256
 };
 

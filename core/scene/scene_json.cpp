@@ -229,6 +229,55 @@ void readTrap(ObjectReader& reader, Scene& scene) {
     reader.fail(trap.finish());
 }
 
+void readLayer(ObjectReader& reader, Layer& layer) {
+    if (const Json* source = reader.child("source"); source && source->is_array()) {
+        layer.sources.clear();
+        for (const Json& frame : *source)
+            layer.sources.push_back(frame.is_string() ? frame.get<std::string>() : "");
+        if (layer.sources.empty() || layer.sources.size() > kMostFrames)
+            reader.fail("source", "must name 1 to " + std::to_string(kMostFrames) + " frames");
+    } else if (source) {
+        reader.text("source", layer.sources[0]);
+    }
+    for (const std::string& source : layer.sources)
+        if (source != kLeafLayer && !source.starts_with("asset:") && !colourFromHex(source).ok())
+            reader.fail(
+                "source",
+                "\"leaf\", #rrggbb, or asset: and a SHA-256 is expected, or a list of such");
+    reader.number("frame", layer.frame, -1e9, 1e9)
+        .boolean("front", layer.front)
+        .number("x", layer.x, -100, 100)
+        .number("y", layer.y, -100, 100)
+        .number("scale", layer.scale, 1e-3, 1000)
+        .number("opacity", layer.opacity, 0, 1);
+}
+
+void readLayers(ObjectReader& reader, Scene& scene) {
+    const Json* found = reader.child("layers");
+    if (!found) return;
+    if (!found->is_array() || found->size() > kMostLayers)
+        return reader.fail("layers",
+                           "must be a list of at most " + std::to_string(kMostLayers) + " images");
+    for (std::size_t k = 0; k < found->size(); ++k) {
+        ObjectReader one((*found)[k], reader.pathOf("layers") + "[" + std::to_string(k) + "]");
+        Layer layer;
+        readLayer(one, layer);
+        reader.fail(one.finish());
+        scene.layers.push_back(layer);
+    }
+}
+
+Json layerJson(const Layer& layer) {
+    Json source = layer.sources[0];
+    if (layer.sources.size() > 1) {
+        source = Json::array();
+        for (const std::string& frame : layer.sources) source.push_back(frame);
+    }
+    return Json{
+        {"source", source}, {"frame", layer.frame}, {"front", layer.front},    {"x", layer.x},
+        {"y", layer.y},     {"scale", layer.scale}, {"opacity", layer.opacity}};
+}
+
 void readAssets(ObjectReader& reader, Scene& scene) {
     const Json* found = reader.child("assets");
     if (!found) return;
@@ -310,6 +359,7 @@ Expected<Scene> sceneFromJson(const Json& value) {
         .integer("samples", scene.samples, 1, kMostSamples);
     readTrap(reader, scene);
     readColour(reader, scene);
+    readLayers(reader, scene);
     readAssets(reader, scene);
     for (const auto& [key, list] : scene.parameters)
         for (double number : list)
@@ -390,6 +440,7 @@ Json sceneToJson(const Scene& scene) {
                           {"outline", c.outline},
                           {"outline_colour", c.outlineColour},
                           {"outline_width", c.outlineWidth}};
+    for (const Layer& layer : scene.layers) json["layers"].push_back(layerJson(layer));
     json["aspect"] = scene.aspect;
     json["samples"] = scene.samples;
     if (!scene.assets.empty())

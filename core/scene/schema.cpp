@@ -52,6 +52,14 @@ const std::pair<const char*, const char*> kDescriptions[] = {
     {"colour.outline", "the set whose boundary is drawn"},
     {"colour.outline_colour", "#rrggbb"},
     {"colour.outline_width", "in line widths of the medium"},
+    {"layers", "images behind and in front, from the bottom up"},
+    {"layers.source", "leaf, #rrggbb or asset:SHA-256; a list of them is a sequence of frames"},
+    {"layers.frame", "of a sequence; it begins again after the last one"},
+    {"layers.front", "in front of the fractal; behind it otherwise"},
+    {"layers.x", "the image's middle from the picture's, in heights of the picture"},
+    {"layers.y", "the same upwards"},
+    {"layers.scale", "the image's height in heights of the picture"},
+    {"layers.opacity", "0 to 1"},
     {"aspect", "width / height of the picture"},
     {"samples", "along each side of a pixel, averaged in linear light"},
 };
@@ -87,6 +95,13 @@ Json schemaOf(const Json& value, const std::string& path) {
                                                          {"description",
                                                           "a palette of the scene's own, as "
                                                           "versorium palettes --json shows"}}});
+    } else if (path == "layers") {
+        schema["type"] = "array";
+        schema["items"] = schemaOf(value[0], path);
+        schema["default"] = Json::array();
+        return schema;
+    } else if (path == "layers.source") {
+        schema["type"] = Json::array({"string", "array"});
     } else if (path == "escape_radius") {
         schema["type"] = Json::array({"number", "string"});
     } else if (value.is_object()) {
@@ -114,7 +129,9 @@ Json schemaOf(const Json& value, const std::string& path) {
 
 Json sceneSchema() {
     // A map with a field and lists shows every section.
-    Json example = sceneToJson(sceneOf(*findMap("shape-modulus")));
+    Scene whole = sceneOf(*findMap("shape-modulus"));
+    whole.layers.emplace_back();
+    const Json example = sceneToJson(whole);
     Json schema = schemaOf(example, "");
     Json result{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                 {"title", "Versorium scene"}};

@@ -11,6 +11,8 @@
 namespace versorium {
 namespace {
 
+constexpr double kAnimationStep = 1.0 / 120;  // rounds
+
 std::string lower(std::string text) {
     for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return text;
@@ -118,6 +120,14 @@ std::vector<Command> commandsOf(StudioContext& context) {
                  c->animation.running = !c->animation.running;
              c->host.wake();
          }},
+        {"One step of the animation", "Shift Space",
+         [c] {
+             c->animation.running = false;
+             if (c->animation.number.empty())
+                 c->say("Choose a number first: the triangle beside it");
+             else
+                 c->advanceAnimation(kAnimationStep);
+         }},
         {"Take the pins away", "", [c] { c->workspace.pins.clear(), c->touch(); }},
         {"Next palette", "P", [c] { nextPaletteOf(*c); }},
         {"Dark, light or projector colours", "T",
@@ -167,7 +177,7 @@ void handleKeys(StudioContext& context) {
     if (pressed(ImGuiKey_G, false)) run("G");
     if (pressed(ImGuiKey_P, false)) run("P");
     if (pressed(ImGuiKey_T, false)) run("T");
-    if (pressed(ImGuiKey_Space, false)) run("Space");
+    if (pressed(ImGuiKey_Space, false)) run(shifted(ImGuiKey_Space) ? "Shift Space" : "Space");
     if (pressed(ImGuiKey_Period, false, true)) run(".");
     if (pressed(ImGuiKey_Comma, false, true)) run(",");
     if (pressed(ImGuiKey_Equal, false, true) || pressed(ImGuiKey_KeypadAdd, false, true)) run("+");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "io/document.h"
 #include "render/picture.h"
@@ -14,6 +15,7 @@ namespace versorium {
 namespace {
 
 constexpr double kPinchPause = 0.5;  // seconds
+constexpr double kTurn = 2 * std::numbers::pi;
 
 Workspace firstWorkspace() {
     Expected<Scene> scene = presetNamed("mandelbrot");
@@ -49,14 +51,23 @@ StudioContext::StudioContext(Host& shell)
 }
 
 void StudioContext::animate(const std::string& name, double low, double high) {
-    const double part = (sharedNumber(workspace, name) - low) / (high - low);
-    animation = {.number = name,
-                 .low = low,
-                 .high = high,
-                 .seconds = animation.seconds,
-                 .phase = std::acos(std::clamp(1 - 2 * part, -1.0, 1.0)),
-                 .running = true};
+    const double part = std::clamp((sharedNumber(workspace, name) - low) / (high - low), 0.0, 1.0);
+    animation.number = name;
+    animation.low = low;
+    animation.high = high;
+    animation.phase = animation.toAndFro ? std::acos(1 - 2 * part) / kTurn : part;
+    animation.running = true;
     host.wake();
+}
+
+void StudioContext::advanceAnimation(double rounds) {
+    animation.phase += rounds;
+    animation.phase -= std::floor(animation.phase);
+    const double part =
+        animation.toAndFro ? 0.5 - 0.5 * std::cos(kTurn * animation.phase) : animation.phase;
+    setSharedNumber(workspace, animation.number,
+                    animation.low + (animation.high - animation.low) * part);
+    touch();
 }
 
 void StudioContext::touch() {

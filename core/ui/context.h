@@ -93,15 +93,21 @@ struct StudioContext {
     enum class Strip { series, web } strip = Strip::series;
     int paletteStop = -1;  // the chosen stop of an own palette
     int orbitShown = 0;    // the step that the table has been scrolled to
-    // An animated number: it runs between its ends until it is stopped.
+    // An animated number: it runs between its ends until it is stopped, eased to and fro, or
+    // steadily from the low end to the high one and again from the low one.
     struct Animation {
         std::string number;
-        double low = 0, high = 1, seconds = 8, phase = 0;
+        double low = 0, high = 1;
+        double seconds = 8;  // of a round
+        double phase = 0;    // in rounds
         bool running = false;
+        bool toAndFro = true;
     } animation;
 
-    // Moves a number to and fro between two others, from where it is.
+    // Moves a number between two others, from where it is.
     void animate(const std::string& name, double low, double high);
+    // Takes the animation on by a part of a round.
+    void advanceAnimation(double rounds);
 
     // The workspace has changed.
     void touch();

@@ -152,6 +152,8 @@ void collectParameters(StudioContext& context, Collector& all) {
                    const double now = sharedNumber(c->workspace, name);
                    c->animate(name, now - 1, now + 1);
                });
+    all.toggle("animate-to-and-fro", "the animation runs to and fro", moving.toAndFro,
+               [c](bool on) { c->animation.toAndFro = on; });
     all.command("reset", "The map's own parameters", "", [c, &info] {
         for (const ParameterInfo& parameter : info.parameters) {
             const auto* first = parameter.value.data();

@@ -27,6 +27,7 @@ constexpr Help kHelp[] = {
     {"borders", "Left, right, bottom and top of the view, to be typed."},
     {"reset", "Back to the map's own value."},
     {"animate", "Lets this number run to and fro through its range. The space bar pauses."},
+    {"to and fro", "Back again at the high end; without it, on from the low end anew."},
     {"number menu", "The range of this number, its exact value, and its animation."},
     {"range low", "Where the slider begins. A typed number may lie beyond."},
     {"range high", "Where the slider ends. A typed number may lie beyond."},

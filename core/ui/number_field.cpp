@@ -58,6 +58,8 @@ void drawMenu(StudioContext& context, const std::string& name, double& value,
         if (exactField("seconds", seconds, 0.05, "%.3g") && seconds >= 0.5 && seconds <= 3600)
             context.animation.seconds = seconds;
         explain("seconds");
+        ImGui::Checkbox("to and fro", &context.animation.toAndFro);
+        explain("to and fro");
     }
     ImGui::PopItemWidth();
 }

@@ -82,13 +82,8 @@ void Studio::State::animate() {
     const double now = context.host.now();
     const double passed = lastFrame < 0 ? 0 : std::min(0.1, now - lastFrame);
     lastFrame = now;
-    StudioContext::Animation& animation = context.animation;
-    if (!animation.running) return;
-    animation.phase += passed * 2 * 3.141592653589793 / animation.seconds;
-    const double part = 0.5 - 0.5 * std::cos(animation.phase);
-    setSharedNumber(context.workspace, animation.number,
-                    animation.low + (animation.high - animation.low) * part);
-    context.touch();
+    const StudioContext::Animation& animation = context.animation;
+    if (animation.running) context.advanceAnimation(passed / animation.seconds);
 }
 
 void Studio::State::drawViews(ImVec2 low, ImVec2 high) {
@@ -227,7 +222,7 @@ Studio::Studio(Host& host) : state_(new State(host)) {
                                      .low = 0.13,
                                      .high = 0.24,
                                      .seconds = 24,
-                                     .phase = 1.6,
+                                     .phase = 0.25,
                                      .running = true};
 }
 Studio::~Studio() = default;

@@ -142,7 +142,7 @@ Status CpuRenderer::render(const Scene& scene, Size size, const RenderOptions& o
     if (pass->hasOutline())
         drawOutline(sides, perSide, options.lineWidth * scene.colour.outlineWidth,
                     pass->outlineColour(), frame.colour);
-    return {};
+    return composeLayers(scene, layerImages_, frame.colour);
 }
 
 Status CpuRenderer::measure(const Scene& scene, Size size, const std::vector<FieldName>& fields,

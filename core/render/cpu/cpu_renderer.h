@@ -4,6 +4,7 @@
 
 #include "fields/evaluate.h"
 #include "render/bind.h"
+#include "render/layers.h"
 #include "render/renderer.h"
 
 namespace versorium {
@@ -27,6 +28,7 @@ class CpuRenderer final : public Renderer {
 
   private:
     Binder binder_;
+    LayerImages layerImages_;
 };
 
 }  // namespace versorium

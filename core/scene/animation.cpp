@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: MIT
+#include "scene/animation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "math/elementary.h"
+#include "scene/numbers.h"
+
+namespace versorium {
+namespace {
+
+constexpr std::array<const char*, 3> kEasingWords = {"linear", "smooth", "hold"};
+constexpr const char* kHeight = "slice.height";
+constexpr const char* kIterations = "iterations";
+// Recordings at 60 frames a second for an hour.
+constexpr std::size_t kMostRecorded = 60 * 3600;
+
+// The k in "before[k]after".
+std::optional<std::size_t> placeIn(const std::string& name, const std::string& before,
+                                   const std::string& after) {
+    if (!name.starts_with(before + "[") || !name.ends_with("]" + after)) return std::nullopt;
+    const std::size_t first = before.size() + 1;
+    if (name.size() < first + 1 + after.size() + 1) return std::nullopt;
+    const std::string digits = name.substr(first, name.size() - first - 1 - after.size());
+    if (digits.empty() || digits.size() > 2 ||
+        digits.find_first_not_of("0123456789") != std::string::npos)
+        return std::nullopt;
+    return static_cast<std::size_t>(std::atoi(digits.c_str()));
+}
+
+// A number beside those that fix an orbit, with its range.
+struct Place {
+    double* number = nullptr;
+    double low = 0, high = 0;
+};
+std::optional<Place> placeOf(Scene& scene, const std::string& name) {
+    if (name == kHeight) return Place{&scene.slice.height, 1e-300, 1e12};
+    if (name == "iso") return Place{&scene.iso, -1e6, 1e6};
+    if (const auto k = placeIn(name, "slice.center", ""); k && *k < scene.slice.centre.size())
+        return Place{&scene.slice.centre[*k], -1e300, 1e300};
+    const std::tuple<const char*, double Layer::*, double, double> parts[] = {
+        {".x", &Layer::x, -100, 100},
+        {".y", &Layer::y, -100, 100},
+        {".scale", &Layer::scale, 1e-3, 1000},
+        {".opacity", &Layer::opacity, 0, 1},
+        {".frame", &Layer::frame, -1e9, 1e9}};
+    for (const auto& [ending, member, low, high] : parts)
+        if (const auto k = placeIn(name, "layers", ending); k && *k < scene.layers.size())
+            return Place{&(scene.layers[*k].*member), low, high};
+    return std::nullopt;
+}
+
+double between(const std::string& name, double from, double to, double part) {
+    if (name == kHeight && from > 0 && to > 0)
+        return from == to ? from : exp(log(from) + (log(to) - log(from)) * part);
+    return from + (to - from) * part;
+}
+
+double eased(Easing easing, double part) {
+    if (easing == Easing::hold) return part < 1 ? 0 : 1;
+    return easing == Easing::smooth ? part * part * (3 - 2 * part) : part;
+}
+
+// Which of the samples are needed so that straight lines between them stay within `most` of all:
+// the farthest one between two that are kept is kept as well.
+std::vector<std::size_t> needed(const std::vector<double>& times, const std::vector<double>& values,
+                                double most) {
+    std::vector<char> kept(values.size(), 0);
+    kept.front() = kept.back() = 1;
+    std::vector<std::pair<std::size_t, std::size_t>> spans{{0, values.size() - 1}};
+    while (!spans.empty()) {
+        const auto [first, last] = spans.back();
+        spans.pop_back();
+        double farthest = most;
+        std::size_t at = 0;
+        for (std::size_t i = first + 1; i < last; ++i) {
+            const double part = (times[i] - times[first]) / (times[last] - times[first]);
+            const double gap =
+                std::abs(values[i] - (values[first] + (values[last] - values[first]) * part));
+            if (gap > farthest) farthest = gap, at = i;
+        }
+        if (at == 0) continue;
+        kept[at] = 1;
+        spans.emplace_back(first, at);
+        spans.emplace_back(at, last);
+    }
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < kept.size(); ++i)
+        if (kept[i]) result.push_back(i);
+    return result;
+}
+
+Expected<KeyFrame> keyFromJson(const Json& json, const std::string& path, const Scene& scene) {
+    KeyFrame key;
+    std::string easing = kEasingWords[0];
+    ObjectReader reader(json, path);
+    reader.number("time", key.time, 0, kMostSeconds)
+        .word("easing", easing, {kEasingWords.begin(), kEasingWords.end()});
+    for (std::size_t k = 0; k < kEasingWords.size(); ++k)
+        if (easing == kEasingWords[k]) key.easing = static_cast<Easing>(k);
+    const Json* values = reader.child("values");
+    if (!values || !values->is_object()) {
+        reader.fail("values", "an object such as {\"c.re\": -0.7} is expected");
+    } else {
+        for (auto item = values->begin(); item != values->end(); ++item) {
+            const std::string where = path + ".values." + item.key();
+            if (!movingValue(scene, item.key()))
+                reader.fail(Status::data(where + ": nothing of this name can move; there are " +
+                                         numberNames(scene) +
+                                         ", slice.center[0], slice.height, iterations, iso"));
+            else if (!item->is_number() || !std::isfinite(item->get<double>()))
+                reader.fail(Status::data(where + ": must be a finite number"));
+            else
+                key.values[item.key()] = item->get<double>();
+        }
+    }
+    if (Status status = reader.finish(); !status.ok()) return status;
+    return key;
+}
+
+}  // namespace
+
+int Animation::frames() const {
+    return 1 + static_cast<int>(std::floor(duration() * framesPerSecond + 1e-9));
+}
+
+std::optional<double> movingValue(const Scene& scene, const std::string& name) {
+    if (name == kIterations) return scene.iterations;
+    Scene& writable = const_cast<Scene&>(scene);  // only looked at
+    if (const auto place = placeOf(writable, name)) return *place->number;
+    if (const auto number = numberNamed(scene, name)) return numberValue(scene, *number);
+    return std::nullopt;
+}
+
+bool setMovingValue(Scene& scene, const std::string& name, double value) {
+    if (!std::isfinite(value)) return movingValue(scene, name).has_value();
+    if (name == kIterations) {
+        scene.iterations =
+            static_cast<int>(std::clamp(std::round(value), 0.0, 1.0 * kMostIterations));
+        return true;
+    }
+    if (const auto place = placeOf(scene, name)) {
+        *place->number = std::clamp(value, place->low, place->high);
+        if (const auto k = placeIn(name, "slice.center", "")) scene.slice.centreLow[*k] = 0;
+        return true;
+    }
+    const auto number = numberNamed(scene, name);
+    if (number) setNumber(scene, *number, value);
+    return number.has_value();
+}
+
+std::vector<std::string> movingNames(const Scene& scene) {
+    const MapKernels& map = mapOf(scene);
+    std::vector<std::string> names;
+    for (int k = 0; k < map.parameters; ++k) names.push_back(parameterComponent(map.info, k));
+    if (!scene.criticalStart)
+        for (int k = 0; k < map.dimension; ++k) names.push_back(stateComponent(map.info, k));
+    for (std::size_t k = 0; k < scene.slice.centre.size(); ++k)
+        names.push_back("slice.center[" + std::to_string(k) + "]");
+    for (const char* name : {kHeight, kIterations, "iso"}) names.emplace_back(name);
+    for (std::size_t k = 0; k < scene.layers.size(); ++k)
+        for (const char* part : {".x", ".y", ".scale", ".opacity", ".frame"})
+            names.push_back("layers[" + std::to_string(k) + "]" + part);
+    return names;
+}
+
+Scene sceneAt(const Animation& animation, double time) {
+    struct Span {
+        const KeyFrame *before = nullptr, *after = nullptr;
+    };
+    std::map<std::string, Span> spans;
+    for (const KeyFrame& key : animation.keys)
+        for (const auto& [name, value] : key.values) {
+            Span& span = spans[name];
+            if (key.time <= time)
+                span.before = &key;
+            else if (!span.after)
+                span.after = &key;
+        }
+    Scene scene = animation.scene;
+    for (const auto& [name, span] : spans) {
+        const KeyFrame& from = span.before ? *span.before : *span.after;
+        double value = from.values.at(name);
+        if (span.before && span.after)
+            value =
+                between(name, value, span.after->values.at(name),
+                        eased(from.easing, (time - from.time) / (span.after->time - from.time)));
+        setMovingValue(scene, name, value);
+    }
+    return scene;
+}
+
+Scene frameOf(const Animation& animation, int frame) {
+    return sceneAt(animation, frame / animation.framesPerSecond);
+}
+
+Expected<Animation> animationFromJson(const Json& json) {
+    Animation animation;
+    ObjectReader reader(json, "");
+    int version = Scene::kVersion;
+    reader.integer("versorium", version, 1, std::numeric_limits<int>::max());
+    if (!reader.failed() && version > Scene::kVersion)
+        return Status::data("versorium: version " + std::to_string(version) +
+                            " is newer than this program; update it");
+    const Json* scene = reader.child("scene");
+    if (!scene) return Status::data("scene: is missing");
+    Expected<Scene> read = sceneFromJson(*scene);
+    if (!read) return read.status().in("scene");
+    animation.scene = std::move(*read);
+    reader.number("frames_per_second", animation.framesPerSecond, 1, 240);
+    const Json* keys = reader.child("keys");
+    if (!keys || !keys->is_array() || keys->empty() || keys->size() > kMostKeys)
+        return Status::data("keys: a list of 1 to " + std::to_string(kMostKeys) +
+                            " key frames is expected");
+    for (std::size_t k = 0; k < keys->size(); ++k) {
+        const std::string path = "keys[" + std::to_string(k) + "]";
+        Expected<KeyFrame> key = keyFromJson((*keys)[k], path, animation.scene);
+        if (!key) return key.status();
+        if (k > 0 && !(key->time > animation.keys.back().time))
+            return Status::data(path + ".time: must be later than the key frame before");
+        animation.keys.push_back(std::move(*key));
+    }
+    if (Status status = reader.finish(); !status.ok()) return status;
+    return animation;
+}
+
+Json animationToJson(const Animation& animation) {
+    Json keys = Json::array();
+    for (const KeyFrame& key : animation.keys) {
+        Json values = Json::object();
+        for (const auto& [name, value] : key.values) values[name] = value;
+        keys.push_back(Json{{"time", key.time},
+                            {"easing", kEasingWords[static_cast<std::size_t>(key.easing)]},
+                            {"values", values}});
+    }
+    return Json{{"versorium", Scene::kVersion},
+                {"scene", sceneToJson(animation.scene)},
+                {"frames_per_second", animation.framesPerSecond},
+                {"keys", keys}};
+}
+
+void Recorder::begin(const Scene& scene, double now) {
+    scene_ = scene;
+    start_ = now;
+    names_ = movingNames(scene);
+    samples_.clear();
+    take(scene, now);
+}
+
+void Recorder::take(const Scene& scene, double now) {
+    const double time = now - start_;
+    if (samples_.size() >= kMostRecorded || time > kMostSeconds ||
+        (!samples_.empty() && !(time > samples_.back().time)))
+        return;
+    Sample sample{time, {}};
+    for (std::size_t k = 0; k < names_.size(); ++k) {
+        const auto value = movingValue(scene, names_[k]);
+        sample.values.push_back(value ? *value : samples_.empty() ? 0 : samples_.back().values[k]);
+    }
+    samples_.push_back(std::move(sample));
+}
+
+std::optional<Animation> Recorder::finish(double tolerance) const {
+    if (samples_.size() < 2) return std::nullopt;
+    std::vector<double> times;
+    for (const Sample& sample : samples_) times.push_back(sample.time);
+    std::map<double, KeyFrame> keys;
+    for (std::size_t k = 0; k < names_.size(); ++k) {
+        std::vector<double> values;
+        for (const Sample& sample : samples_) values.push_back(sample.values[k]);
+        const auto [low, high] = std::minmax_element(values.begin(), values.end());
+        if (*low == *high) continue;
+        std::vector<double> measured = values;
+        if (names_[k] == kHeight)
+            for (double& value : measured) value = log(value);
+        const auto [least, most] = std::minmax_element(measured.begin(), measured.end());
+        for (std::size_t at : needed(times, measured, tolerance * (*most - *least))) {
+            keys[times[at]].time = times[at];
+            keys[times[at]].values[names_[k]] = values[at];
+        }
+    }
+    if (keys.empty()) return std::nullopt;
+    Animation animation;
+    animation.scene = scene_;
+    for (auto& [time, key] : keys) animation.keys.push_back(std::move(key));
+    return animation;
+}
+
+}  // namespace versorium
