@@ -45,6 +45,7 @@ int main(int argc, char** argv) {
         ->capture_default_str();
     versorium::addListCommands(line);
     versorium::addRenderCommands(line);
+    versorium::addAnimateCommand(line);
     versorium::addMeasureCommands(line);
     versorium::addFileCommands(line);
 #if VERSORIUM_STUDIO

@@ -136,7 +136,9 @@ Expected<Document> documentFromJson(const Json& json) {
     Document document;
     if (!json.is_object()) return Status::data("an object { … } is expected: a scene or a plate");
     if (!json.contains("document")) {
-        document.kind = json.contains("panels") ? "plate" : "scene";
+        document.kind = json.contains("panels") ? "plate"
+                        : json.contains("keys") ? "animation"
+                                                : "scene";
         document.body = withoutAssets(json, document.assets);
         return document;
     }
@@ -146,7 +148,7 @@ Expected<Document> documentFromJson(const Json& json) {
     if (version > kDocumentVersion)
         return Status::data("document: version " + std::to_string(version) +
                             " is newer than this program; update it");
-    reader.word("kind", document.kind, {"scene", "plate"});
+    reader.word("kind", document.kind, {"scene", "plate", "animation"});
     if (const Json* render = reader.child("render")) document.render = *render;
     if (const Json* assets = reader.child("assets")) document.assets = *assets;
     const Json* body = reader.child("body");
@@ -190,15 +192,24 @@ Json withoutAssets(Json scene, Json& assets) {
     return scene;
 }
 
+std::vector<std::string> assetsNamed(const Json& json) {
+    constexpr std::string_view prefix = "asset:";
+    std::vector<std::string> names;
+    if (json.is_string()) {
+        const std::string& text = json.get_ref<const std::string&>();
+        if (text.starts_with(prefix)) names.push_back(text.substr(prefix.size()));
+    } else if (json.is_structured()) {
+        for (const Json& part : json)
+            for (std::string& name : assetsNamed(part)) names.push_back(std::move(name));
+    }
+    return names;
+}
+
 Expected<Scene> sceneWithAssets(const Json& scene, const Json& assets) {
     Json whole = scene;
     // Only what the scene names: panels of a plate do not share what they do not use.
-    if (whole.is_object() && whole.contains("shape") && whole["shape"].is_object() &&
-        whole["shape"].contains("source") && whole["shape"]["source"].is_string()) {
-        const std::string source = whole["shape"]["source"].get<std::string>();
-        if (source.starts_with("asset:") && assets.contains(source.substr(6)))
-            whole["assets"][source.substr(6)] = *assets.find(source.substr(6));
-    }
+    for (const std::string& hash : assetsNamed(scene))
+        if (assets.contains(hash)) whole["assets"][hash] = *assets.find(hash);
     return sceneFromJson(whole);
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What a picture carries and what can be opened: a scene or a plate, with how it was rendered. As
-// JSON this is {"document": 1, "kind": "scene" | "plate", "body": …, "assets": …, "render": …};
-// a bare scene or plate is a document as well. In a PNG it is the iTXt text "versorium".
+// What a picture carries and what can be opened: a scene, a plate or an animation, with how it is
+// rendered. As JSON this is {"document": 1, "kind": "scene" | "plate" | "animation", "body": …,
+// "assets": …, "render": …}; one of these alone is a document as well. In a PNG it is the iTXt text
+// "versorium".
 
 #include <span>
 #include <string>
@@ -17,8 +18,8 @@ inline constexpr const char* kDocumentKeyword = "versorium";
 inline constexpr std::size_t kDocumentBytes = std::size_t{64} << 20;
 
 struct Document {
-    std::string kind = "scene";  // or "plate"
-    Json body;                   // a scene or a plate, without assets
+    std::string kind = "scene";  // or "plate", or "animation"
+    Json body;                   // one of these, without assets
     Json assets = Json::object();
     Json render = Json::object();  // the options that made the picture
 };
@@ -30,6 +31,8 @@ Expected<Document> documentFromJson(const Json& json);
 Expected<Document> readDocument(const std::string& path);
 Expected<Document> documentFromBytes(std::span<const unsigned char> bytes);
 
+// The SHA-256 of every asset that something in this JSON names.
+std::vector<std::string> assetsNamed(const Json& json);
 // The scene of a scene document, or of one panel, with the document's assets.
 Expected<Scene> sceneWithAssets(const Json& scene, const Json& assets);
 // Moves the assets of a scene's JSON to `assets`.

@@ -3,6 +3,7 @@
 // Files in one ZIP archive (APPNOTE 6.3), stored as they are: pictures are compressed already. The
 // same files always give the same bytes; the archive carries no dates.
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>

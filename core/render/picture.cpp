@@ -45,6 +45,16 @@ Size pictureSize(const Scene& scene, const PictureOptions& options) {
             kDefaultHeight};
 }
 
+Document pictureDocument(const Scene& scene, const PictureOptions& options) {
+    const Size size = pictureSize(scene, options);
+    Document document;
+    document.body = withoutAssets(sceneToJson(scene), document.assets);
+    document.render = Json{{"width", size.width},
+                           {"height", size.height},
+                           {"flavour", options.flavour == Flavour::fast ? "fast" : "exact"}};
+    return document;
+}
+
 Expected<std::vector<unsigned char>> renderPicture(CpuRenderer& renderer, const Scene& scene,
                                                    const PictureOptions& options, Job& job) {
     const Size size = pictureSize(scene, options);
@@ -60,11 +70,7 @@ Expected<std::vector<unsigned char>> renderPicture(CpuRenderer& renderer, const 
                                std::max(1.0, size.height / 400.0)};
     if (Status status = renderer.render(scene, size, render, job, frame); !status.ok())
         return status;
-    Document document;
-    document.body = withoutAssets(sceneToJson(scene), document.assets);
-    document.render = Json{{"width", size.width},
-                           {"height", size.height},
-                           {"flavour", options.flavour == Flavour::fast ? "fast" : "exact"}};
+    const Document document = pictureDocument(scene, options);
     const Raster<unsigned char> pixels = encodeSrgb(frame.colour);
     PngOptions png;
     png.texts = {{kDocumentKeyword, printJson(documentToJson(document))}};

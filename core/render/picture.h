@@ -16,6 +16,8 @@ struct PictureOptions {
 
 // The options that a document was rendered with; what it does not say keeps its default.
 Expected<PictureOptions> pictureOptions(const Document& document);
+// What a picture of this scene carries.
+Document pictureDocument(const Scene& scene, const PictureOptions& options);
 Size pictureSize(const Scene& scene, const PictureOptions& options);
 
 Expected<std::vector<unsigned char>> renderPicture(CpuRenderer& renderer, const Scene& scene,

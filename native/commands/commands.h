@@ -33,6 +33,7 @@ struct CommandLine {
 
 void addListCommands(CommandLine& line);     // maps, palettes, plates, presets, schema, glsl
 void addRenderCommands(CommandLine& line);   // render, plate
+void addAnimateCommand(CommandLine& line);   // animate
 void addMeasureCommands(CommandLine& line);  // eval, orbit
 void addFileCommands(CommandLine& line);     // shape, scene
 void addStudioCommand(CommandLine& line);    // studio, also what no command means

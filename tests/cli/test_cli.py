@@ -8,11 +8,13 @@ import array
 import json
 import math
 import os
+import shutil
 import struct
 import subprocess
 import sys
 import tempfile
 import unittest
+import zipfile
 
 PROGRAM = os.path.abspath(sys.argv.pop(1))
 USAGE, DATA, INPUT_OUTPUT = 2, 65, 74
@@ -178,6 +180,56 @@ class Results(CommandLine):
         self.assertAlmostEqual(float(table[1].split(",")[3]), math.exp(-0.1), places=12)
         self.assertAlmostEqual(float(table[2].split(",")[3]), math.exp(0.2), places=3)
 
+    def motion(self, **changes):
+        scene = {"map": "quadratic", "samples": 1, "iterations": 20}
+        keys = [{"time": 0, "values": {"c.re": 0}}, {"time": 1, "values": {"c.re": -1}}]
+        whole = {"versorium": 1, "scene": scene, "frames_per_second": 4, "keys": keys} | changes
+        path = self.path("motion.json")
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump(whole, file)
+        return path
+
+    def test_an_animation_as_pictures_goes_on_where_it_stopped(self):
+        motion, folder = self.motion(), self.path("frames")
+        report = json.loads(self.good("animate", motion, "-o", folder, "--size", "24x16", "--json"))
+        self.assertEqual((report["frames"], report["kept"]), (5, 0))
+        names = sorted(os.listdir(folder))
+        self.assertEqual(names, [f"frame-0000{k}.png" for k in range(1, 6)])
+        pictures = [self.read(os.path.join(folder, name)) for name in names]
+        self.assertEqual(len(set(pictures)), 5)
+        self.assertEqual(pictures[2], self.good("render", os.path.join(folder, names[2]), "-o", "-"))
+        os.remove(os.path.join(folder, names[1]))
+        with open(os.path.join(folder, names[3]), "wb") as file:
+            file.write(pictures[3][:100])  # as a copy that broke off
+        report = json.loads(self.good("animate", motion, "-o", folder, "--size", "24x16", "--json"))
+        self.assertEqual(report["kept"], 3)
+        self.assertEqual([self.read(os.path.join(folder, name)) for name in names], pictures)
+        # Another size is another picture.
+        report = json.loads(self.good("animate", motion, "-o", folder, "--size", "16x16", "--json"))
+        self.assertEqual(report["kept"], 0)
+
+    def test_an_animation_as_an_archive(self):
+        path = self.path("frames.zip")
+        self.good("animate", self.motion(), "-o", path, "--size", "24x16", "--fps", "2")
+        with zipfile.ZipFile(path) as archive:
+            self.assertIsNone(archive.testzip())
+            self.assertEqual(
+                archive.namelist(), ["animation.json"] + [f"frame-0000{k}.png" for k in (1, 2, 3)]
+            )
+
+    def test_an_animation_as_a_film(self):
+        if not shutil.which("ffprobe"):
+            self.skipTest("ffmpeg is not installed")
+        path = self.path("film.mp4")
+        self.good("animate", self.motion(), "-o", path, "--size", "33x17")
+        facts = subprocess.run(
+            ["ffprobe", "-v", "error", "-of", "json", "-show_streams", path],
+            capture_output=True, check=True,
+        )
+        stream = json.loads(facts.stdout)["streams"][0]
+        self.assertEqual((stream["width"], stream["height"], stream["nb_frames"]), (34, 18, "5"))
+        self.assertEqual(os.listdir(self.folder).count("film.mp4.frames"), 0)
+
     def test_standard_output(self):
         png = self.good("render", "julia", "-o", "-", "--size", "20x20")
         self.assertTrue(png.startswith(b"\x89PNG"))
@@ -217,6 +269,28 @@ class BadInput(CommandLine):
         old = self.write("out.png", b"old")
         self.refused(USAGE, "render", "julia", "-o", old, "--size", "0x10")
         self.assertEqual(self.read("out.png"), b"old")
+
+    def test_animations(self):
+        bad = self.path("bad.json")
+        for text, says in [
+            ('{"keys": [], "scene": {"map": "quadratic"}}', "keys"),
+            ('{"keys": [{"time": 0, "values": {"q": 1}}], "scene": {"map": "quadratic"}}', "keys[0]"),
+            ('{"map": "quadratic"}', "scene"),
+        ]:
+            with open(bad, "w", encoding="utf-8") as file:
+                file.write(text)
+            self.refused(DATA, "animate", bad, "-o", self.path("frames"), says=says)
+        good = {"keys": [{"time": 0, "values": {"c.re": 1}}], "scene": {"map": "quadratic"}}
+        with open(bad, "w", encoding="utf-8") as file:
+            json.dump(good, file)
+        self.refused(INPUT_OUTPUT, "animate", bad, "-o", "/proc/no", "--size", "4x4", says="/proc/no")
+        self.refused(USAGE, "animate", bad, "-o", self.path("f"), "--size", "99999x1", says="99999")
+        result = subprocess.run(
+            [PROGRAM, "animate", bad, "-o", self.path("a.mp4")],
+            capture_output=True, timeout=60, check=False, env={"PATH": self.folder},
+        )
+        self.assertEqual(result.returncode, USAGE)
+        self.assertIn(b"ffmpeg", result.stderr)
 
     def test_sizes(self):
         for size in ("0x10", "10x0", "1000000000x10", "10x1000000000", "9x", "x", "-3x4", "1e3x5"):

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "render/movie.h"
+
+#include "io/zip.h"
+
+namespace versorium {
+
+Expected<Movie> movieFromDocument(const Document& document) {
+    if (document.kind != "animation")
+        return Status::data("an animation is expected, and this is a " + document.kind);
+    Json whole = document.body;
+    if (whole.is_object() && whole.contains("scene") && whole["scene"].is_object())
+        for (auto asset = document.assets.begin(); asset != document.assets.end(); ++asset)
+            whole["scene"]["assets"][asset.key()] = *asset;
+    Expected<Animation> animation = animationFromJson(whole);
+    if (!animation) return animation.status();
+    Expected<PictureOptions> options = pictureOptions(document);
+    if (!options) return options.status();
+    return Movie{std::move(*animation), *options};
+}
+
+Document documentOfMovie(const Movie& movie) {
+    Document document = pictureDocument(movie.animation.scene, movie.options);
+    document.kind = "animation";
+    Json body = animationToJson(movie.animation);
+    body["scene"] = document.body;
+    document.body = std::move(body);
+    return document;
+}
+
+std::string frameName(int frame) {
+    const std::string digits = std::to_string(frame + 1);
+    return "frame-" + std::string(digits.size() < 5 ? 5 - digits.size() : 0, '0') + digits + ".png";
+}
+
+Document frameDocument(const Movie& movie, int frame) {
+    return pictureDocument(frameOf(movie.animation, frame), movie.options);
+}
+
+Expected<std::vector<unsigned char>> renderFrame(CpuRenderer& renderer, const Movie& movie,
+                                                 int frame, Job& job) {
+    return renderPicture(renderer, frameOf(movie.animation, frame), movie.options, job);
+}
+
+Expected<std::vector<unsigned char>> renderArchive(CpuRenderer& renderer, const Movie& movie,
+                                                   Job& job) {
+    const int frames = movie.animation.frames();
+    ZipWriter archive;
+    const std::string text = printJson(documentToJson(documentOfMovie(movie)));
+    Status status = archive.add("animation.json",
+                                {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+    for (int frame = 0; frame < frames && status.ok(); ++frame) {
+        job.setPart(1.0 * frame / frames, 1.0 * (frame + 1) / frames);
+        Expected<std::vector<unsigned char>> png = renderFrame(renderer, movie, frame, job);
+        status = png ? archive.add(frameName(frame), *png) : png.status();
+    }
+    if (!status.ok()) return status;
+    return archive.finish();
+}
+
+}  // namespace versorium

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// Motions: what lies between key frames, what a recording keeps, and what is refused.
+#include "scene/animation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace versorium {
+namespace {
+
+Animation example() {
+    Animation animation;
+    animation.scene = sceneOf(*findMap("quadratic"));
+    animation.keys = {{1, Easing::linear, {{"c.re", 0}, {"slice.height", 4}}},
+                      {3, Easing::smooth, {{"c.re", 1}}},
+                      {5, Easing::hold, {{"c.re", -1}, {"slice.height", 0.01}}},
+                      {6, Easing::linear, {{"c.re", 2}}}};
+    return animation;
+}
+
+TEST(AnimationTest, NumbersBetweenKeyFrames) {
+    const Animation animation = example();
+    const auto real = [&](double time) { return sceneAt(animation, time).parameters.at("c")[0]; };
+    EXPECT_EQ(real(0), 0);
+    EXPECT_EQ(real(1), 0);
+    EXPECT_EQ(real(1.5), 0.25);
+    EXPECT_EQ(real(3), 1);
+    EXPECT_DOUBLE_EQ(real(3.5), 1 - 2 * (0.0625 * (3 - 0.5)));
+    EXPECT_EQ(real(5.99), -1);
+    EXPECT_EQ(real(6), 2);
+    EXPECT_EQ(real(100), 2);
+    // Halfway in time a zoom is halfway in powers of ten; key frames between do not disturb it.
+    EXPECT_NEAR(sceneAt(animation, 3).slice.height, 0.2, 1e-12);
+    EXPECT_EQ(sceneAt(animation, 8).slice.height, 0.01);
+    EXPECT_EQ(animation.frames(), 181);
+}
+
+TEST(AnimationTest, EverythingThatMovesHasANameAndARange) {
+    Scene scene = sceneOf(*findMap("planar"));
+    scene.layers.resize(2);
+    const std::vector<std::string> names = movingNames(scene);
+    EXPECT_EQ(names.size(), 30u + 2 + 2 + 3 + 10);
+    for (const std::string& name : names) {
+        const auto before = movingValue(scene, name);
+        ASSERT_TRUE(before) << name;
+        EXPECT_TRUE(setMovingValue(scene, name, *before + 1)) << name;
+        const double wanted = name.ends_with("opacity") ? 1 : *before + 1;
+        EXPECT_EQ(*movingValue(scene, name), wanted) << name;
+        setMovingValue(scene, name, std::nan(""));
+        EXPECT_EQ(*movingValue(scene, name), wanted) << name;
+    }
+    for (const char* name : {"layers[2].x", "layers[].x", "layers[0]", "slice.center[2]", "c.re",
+                             "slice.center[-1]", "layers[99999999999].x", ""})
+        EXPECT_FALSE(movingValue(scene, name)) << name;
+}
+
+// A hand that moves, rests, and zooms: the recording gives the same within its tolerance, with far
+// fewer key frames than there were moments.
+TEST(AnimationTest, ARecordingReproducesTheHand) {
+    Scene scene = sceneOf(*findMap("quadratic"));
+    Recorder recorder;
+    const auto moved = [&](double t) {
+        Scene now = scene;
+        now.parameters["c"] = {t < 3 ? std::sin(t) : std::sin(3.0), -0.5};
+        now.slice.height = t < 2 ? 4 : 4 * std::exp2(-3 * (t - 2));
+        return now;
+    };
+    recorder.begin(moved(0), 100);
+    for (double t = 1.0 / 60; t < 5; t += 1.0 / 60) recorder.take(moved(t), 100 + t);
+    const auto animation = recorder.finish();
+    ASSERT_TRUE(animation);
+    EXPECT_LT(animation->keys.size(), 60u);
+    for (const KeyFrame& key : animation->keys) EXPECT_FALSE(key.values.contains("c.im"));
+    for (double t = 0; t < 4.9; t += 0.0173) {
+        const Scene is = sceneAt(*animation, t), was = moved(t);
+        EXPECT_NEAR(is.parameters.at("c")[0], was.parameters.at("c")[0], 0.006) << t;
+        // The first step of the zoom falls between two moments.
+        EXPECT_NEAR(std::log2(is.slice.height), std::log2(was.slice.height), 0.1) << t;
+    }
+    Recorder idle;
+    idle.begin(scene, 0);
+    idle.take(scene, 1);
+    EXPECT_FALSE(idle.finish());
+}
+
+TEST(AnimationTest, AsJsonAndBack) {
+    const Animation animation = example();
+    const Json json = animationToJson(animation);
+    const Expected<Animation> again = animationFromJson(json);
+    ASSERT_TRUE(again) << again.status().message();
+    EXPECT_EQ(again->keys, animation.keys);
+    EXPECT_EQ(animationToJson(*again), json);
+}
+
+TEST(AnimationTest, WhatIsWrongIsNamed) {
+    const Json right = animationToJson(example());
+    const auto refused = [&](const char* pointer, const Json& value, const char* says) {
+        Json wrong = right;
+        wrong[Json::json_pointer(pointer)] = value;
+        const Expected<Animation> read = animationFromJson(wrong);
+        ASSERT_FALSE(read) << pointer;
+        EXPECT_NE(read.status().message().find(says), std::string::npos) << read.status().message();
+    };
+    refused("/keys/1/time", 0.5, "keys[1].time");
+    refused("/keys/1/time", 1e9, "keys[1].time");
+    refused("/keys/0/values/zebra", 1, "zebra");
+    refused("/keys/0/values/c.re", "x", "keys[0].values.c.re");
+    refused("/keys/0/easing", "bouncy", "easing");
+    refused("/keys", Json::array(), "keys");
+    refused("/frames_per_second", 0, "frames_per_second");
+    refused("/scene/map", "zebra", "scene");
+    refused("/versorium", 99, "newer");
+    refused("/more", 1, "more");
+}
+
+}  // namespace
+}  // namespace versorium
