@@ -44,7 +44,7 @@ Expected<std::vector<unsigned char>> renderFrame(CpuRenderer& renderer, const Mo
 
 Expected<std::vector<unsigned char>> renderArchive(CpuRenderer& renderer, const Movie& movie,
                                                    Job& job) {
-    const int frames = movie.animation.frames();
+    const int frames = movie.animation.motion.frames();
     ZipWriter archive;
     const std::string text = printJson(documentToJson(documentOfMovie(movie)));
     Status status = archive.add("animation.json",

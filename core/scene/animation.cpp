@@ -124,7 +124,7 @@ Expected<KeyFrame> keyFromJson(const Json& json, const std::string& path, const 
 
 }  // namespace
 
-int Animation::frames() const {
+int Motion::frames() const {
     return 1 + static_cast<int>(std::floor(duration() * framesPerSecond + 1e-9));
 }
 
@@ -168,12 +168,12 @@ std::vector<std::string> movingNames(const Scene& scene) {
     return names;
 }
 
-Scene sceneAt(const Animation& animation, double time) {
+std::map<std::string, double> valuesAt(const Motion& motion, double time) {
     struct Span {
         const KeyFrame *before = nullptr, *after = nullptr;
     };
     std::map<std::string, Span> spans;
-    for (const KeyFrame& key : animation.keys)
+    for (const KeyFrame& key : motion.keys)
         for (const auto& [name, value] : key.values) {
             Span& span = spans[name];
             if (key.time <= time)
@@ -181,7 +181,7 @@ Scene sceneAt(const Animation& animation, double time) {
             else if (!span.after)
                 span.after = &key;
         }
-    Scene scene = animation.scene;
+    std::map<std::string, double> values;
     for (const auto& [name, span] : spans) {
         const KeyFrame& from = span.before ? *span.before : *span.after;
         double value = from.values.at(name);
@@ -189,13 +189,57 @@ Scene sceneAt(const Animation& animation, double time) {
             value =
                 between(name, value, span.after->values.at(name),
                         eased(from.easing, (time - from.time) / (span.after->time - from.time)));
-        setMovingValue(scene, name, value);
+        values[name] = value;
     }
+    return values;
+}
+
+Scene sceneAt(const Animation& animation, double time) {
+    Scene scene = animation.scene;
+    for (const auto& [name, value] : valuesAt(animation.motion, time))
+        setMovingValue(scene, name, value);
     return scene;
 }
 
 Scene frameOf(const Animation& animation, int frame) {
-    return sceneAt(animation, frame / animation.framesPerSecond);
+    return sceneAt(animation, frame / animation.motion.framesPerSecond);
+}
+
+KeyFrame& keyAt(Motion& motion, double time) {
+    const auto place = std::find_if(motion.keys.begin(), motion.keys.end(),
+                                    [&](const KeyFrame& key) { return key.time >= time; });
+    if (place != motion.keys.end() && place->time == time) return *place;
+    return *motion.keys.insert(place, KeyFrame{time, Easing::linear, {}});
+}
+
+Status readMotion(ObjectReader& reader, const Scene& scene, Motion& motion) {
+    reader.number("frames_per_second", motion.framesPerSecond, 1, 240);
+    const Json* keys = reader.child("keys");
+    const std::string whole = reader.pathOf("keys");
+    if (!keys || !keys->is_array() || keys->empty() || keys->size() > kMostKeys)
+        return Status::data(whole + ": a list of 1 to " + std::to_string(kMostKeys) +
+                            " key frames is expected");
+    for (std::size_t k = 0; k < keys->size(); ++k) {
+        const std::string path = whole + "[" + std::to_string(k) + "]";
+        Expected<KeyFrame> key = keyFromJson((*keys)[k], path, scene);
+        if (!key) return key.status();
+        if (k > 0 && !(key->time > motion.keys.back().time))
+            return Status::data(path + ".time: must be later than the key frame before");
+        motion.keys.push_back(std::move(*key));
+    }
+    return {};
+}
+
+void motionToJson(const Motion& motion, Json& json) {
+    json["frames_per_second"] = motion.framesPerSecond;
+    json["keys"] = Json::array();
+    for (const KeyFrame& key : motion.keys) {
+        Json values = Json::object();
+        for (const auto& [name, value] : key.values) values[name] = value;
+        json["keys"].push_back(Json{{"time", key.time},
+                                    {"easing", kEasingWords[static_cast<std::size_t>(key.easing)]},
+                                    {"values", values}});
+    }
 }
 
 Expected<Animation> animationFromJson(const Json& json) {
@@ -211,40 +255,19 @@ Expected<Animation> animationFromJson(const Json& json) {
     Expected<Scene> read = sceneFromJson(*scene);
     if (!read) return read.status().in("scene");
     animation.scene = std::move(*read);
-    reader.number("frames_per_second", animation.framesPerSecond, 1, 240);
-    const Json* keys = reader.child("keys");
-    if (!keys || !keys->is_array() || keys->empty() || keys->size() > kMostKeys)
-        return Status::data("keys: a list of 1 to " + std::to_string(kMostKeys) +
-                            " key frames is expected");
-    for (std::size_t k = 0; k < keys->size(); ++k) {
-        const std::string path = "keys[" + std::to_string(k) + "]";
-        Expected<KeyFrame> key = keyFromJson((*keys)[k], path, animation.scene);
-        if (!key) return key.status();
-        if (k > 0 && !(key->time > animation.keys.back().time))
-            return Status::data(path + ".time: must be later than the key frame before");
-        animation.keys.push_back(std::move(*key));
-    }
+    if (Status status = readMotion(reader, animation.scene, animation.motion); !status.ok())
+        return status;
     if (Status status = reader.finish(); !status.ok()) return status;
     return animation;
 }
 
 Json animationToJson(const Animation& animation) {
-    Json keys = Json::array();
-    for (const KeyFrame& key : animation.keys) {
-        Json values = Json::object();
-        for (const auto& [name, value] : key.values) values[name] = value;
-        keys.push_back(Json{{"time", key.time},
-                            {"easing", kEasingWords[static_cast<std::size_t>(key.easing)]},
-                            {"values", values}});
-    }
-    return Json{{"versorium", Scene::kVersion},
-                {"scene", sceneToJson(animation.scene)},
-                {"frames_per_second", animation.framesPerSecond},
-                {"keys", keys}};
+    Json json{{"versorium", Scene::kVersion}, {"scene", sceneToJson(animation.scene)}};
+    motionToJson(animation.motion, json);
+    return json;
 }
 
 void Recorder::begin(const Scene& scene, double now) {
-    scene_ = scene;
     start_ = now;
     names_ = movingNames(scene);
     samples_.clear();
@@ -264,7 +287,7 @@ void Recorder::take(const Scene& scene, double now) {
     samples_.push_back(std::move(sample));
 }
 
-std::optional<Animation> Recorder::finish(double tolerance) const {
+std::optional<Motion> Recorder::finish(double tolerance) const {
     if (samples_.size() < 2) return std::nullopt;
     std::vector<double> times;
     for (const Sample& sample : samples_) times.push_back(sample.time);
@@ -284,10 +307,9 @@ std::optional<Animation> Recorder::finish(double tolerance) const {
         }
     }
     if (keys.empty()) return std::nullopt;
-    Animation animation;
-    animation.scene = scene_;
-    for (auto& [time, key] : keys) animation.keys.push_back(std::move(key));
-    return animation;
+    Motion motion;
+    for (auto& [time, key] : keys) motion.keys.push_back(std::move(key));
+    return motion;
 }
 
 }  // namespace versorium

@@ -22,14 +22,19 @@ struct KeyFrame {
     friend bool operator==(const KeyFrame&, const KeyFrame&) = default;
 };
 
-struct Animation {
-    Scene scene;  // what no key frame names
+struct Motion {
     double framesPerSecond = 30;
     std::vector<KeyFrame> keys;  // times rise strictly
 
     double duration() const { return keys.empty() ? 0 : keys.back().time; }
     // Its pictures are at times 0, 1/fps, 2/fps … duration; at least one.
     int frames() const;
+    friend bool operator==(const Motion&, const Motion&) = default;
+};
+
+struct Animation {
+    Scene scene;  // what no key frame names
+    Motion motion;
 };
 
 inline constexpr std::size_t kMostKeys = 20000;
@@ -45,10 +50,16 @@ std::vector<std::string> movingNames(const Scene& scene);
 
 // Before a number's first key frame it has the value of that one, after the last one of the last.
 // Heights go geometrically, so that zooms look steady.
+std::map<std::string, double> valuesAt(const Motion& motion, double time);
 Scene sceneAt(const Animation& animation, double time);
 Scene frameOf(const Animation& animation, int frame);
 
-// Strict: ErrorKind::data with the path of the fault.
+// The key frame at this time, made where there is none.
+KeyFrame& keyAt(Motion& motion, double time);
+
+// Strict: ErrorKind::data with the path of the fault. Key frames name what can move in `scene`.
+Status readMotion(ObjectReader& reader, const Scene& scene, Motion& motion);
+void motionToJson(const Motion& motion, Json& json);
 Expected<Animation> animationFromJson(const Json& json);
 Json animationToJson(const Animation& animation);
 
@@ -57,13 +68,12 @@ Json animationToJson(const Animation& animation);
 class Recorder {
   public:
     void begin(const Scene& scene, double now);
-    void take(const Scene& scene, double now);
+    void take(const Scene& scene, double now);  // the same map, with as many layers
     // Nothing where nothing moved.
-    std::optional<Animation> finish(double tolerance = 0.004) const;
+    std::optional<Motion> finish(double tolerance = 0.004) const;
     double seconds() const { return samples_.empty() ? 0 : samples_.back().time; }
 
   private:
-    Scene scene_;
     double start_ = 0;
     std::vector<std::string> names_;
     struct Sample {

@@ -102,6 +102,12 @@ std::vector<Command> commandsOf(StudioContext& context) {
         {"One view", "", [c] { setViewCount(c->workspace, 1), c->touch(); }},
         {"Two views", "", [c] { setViewCount(c->workspace, 2), c->touch(); }},
         {"Four views", "", [c] { setViewCount(c->workspace, 4), c->touch(); }},
+        {"Analysis: one set of parameters, and the starting points of four places in it", "N",
+         [c] {
+             if (!setAnalysis(c->workspace))
+                 return c->say("This map has no two parameters that could be the axes of a set");
+             c->touch();
+         }},
         {"One step on along the orbit", ".", [c] { c->stepOrbit(1); }},
         {"One step back along the orbit", ",", [c] { c->stepOrbit(-1); }},
         {"Arrows from points x to f(x), or none", "A",
@@ -128,6 +134,17 @@ std::vector<Command> commandsOf(StudioContext& context) {
              else
                  c->advanceAnimation(kAnimationStep);
          }},
+        {"Record what is moved, or stop recording", "R", [c] { c->record(!c->player.recording); }},
+        {"Play the motion, or pause it", "Shift R", [c] { c->play(!c->player.playing); }},
+        {"Set a key frame of the motion here", "K", [c] { c->setKey(); }},
+        {"Take the chosen key frame away", "", [c] { c->removeKey(); }},
+        {"Save the motion as a file", "", [c] { c->saveMotion(); }},
+        {"Take the motion away", "",
+         [c] {
+             c->player = {};
+             c->workspace.motion = {};
+             c->touch();
+         }},
         {"Take the pins away", "", [c] { c->workspace.pins.clear(), c->touch(); }},
         {"Next palette", "P", [c] { nextPaletteOf(*c); }},
         {"Dark, light or projector colours", "T",
@@ -142,8 +159,7 @@ std::vector<Command> commandsOf(StudioContext& context) {
     };
     for (int k = 0; k < kMostViews; ++k)
         all.push_back({"Mark view " + std::to_string(k + 1), std::to_string(k + 1), [c, k] {
-                           if (k < static_cast<int>(c->workspace.views.size()))
-                               c->workspace.focused = k;
+                           if (k < static_cast<int>(c->workspace.views.size())) c->mark(k);
                        }});
     return all;
 }
@@ -175,7 +191,10 @@ void handleKeys(StudioContext& context) {
     if (pressed(ImGuiKey_A, false)) run("A");
     if (pressed(ImGuiKey_F, false)) run(shifted(ImGuiKey_F) ? "Shift F" : "F");
     if (pressed(ImGuiKey_G, false)) run("G");
+    if (pressed(ImGuiKey_N, false)) run("N");
     if (pressed(ImGuiKey_P, false)) run("P");
+    if (pressed(ImGuiKey_R, false)) run(shifted(ImGuiKey_R) ? "Shift R" : "R");
+    if (pressed(ImGuiKey_K, false)) run("K");
     if (pressed(ImGuiKey_T, false)) run("T");
     if (pressed(ImGuiKey_Space, false)) run(shifted(ImGuiKey_Space) ? "Shift Space" : "Space");
     if (pressed(ImGuiKey_Period, false, true)) run(".");

@@ -70,6 +70,83 @@ void StudioContext::advanceAnimation(double rounds) {
     touch();
 }
 
+void StudioContext::record(bool on) {
+    if (on == player.recording) return;
+    if (on) {
+        play(false);
+        workspace.motionView = workspace.focused;
+        player.recorder.begin(movingScene(workspace), host.now());
+        player.since = host.now();
+        player.recording = true;
+        player.at = 0;
+        strip = Strip::motion;
+        say("Recording: move, zoom, turn the numbers. Press R again to stop");
+        return;
+    }
+    player.recording = false;
+    player.recorder.take(movingScene(workspace), host.now());
+    std::optional<Motion> motion = player.recorder.finish();
+    if (!motion) return say("Nothing moved while it was recorded");
+    motion->framesPerSecond = workspace.motion.framesPerSecond;
+    workspace.motion = std::move(*motion);
+    player.at = workspace.motion.duration();
+    player.key = -1;
+    touch();
+    say("Recorded: " + formatNumber(workspace.motion.duration(), 3) + " s in " +
+        std::to_string(workspace.motion.keys.size()) + " key frames");
+}
+
+void StudioContext::play(bool on) {
+    if (on && player.recording) record(false);
+    if (on && workspace.motion.keys.empty())
+        return say("There is no motion yet: press R to record one, or set key frames");
+    if (on && player.at >= workspace.motion.duration()) player.at = 0;
+    if (on) animation.running = false;
+    player.playing = on;
+    host.wake();
+}
+
+void StudioContext::showMotionAt(double time) {
+    player.at = std::clamp(time, 0.0, kMostSeconds);
+    showMotion(workspace, player.at);
+    touch();
+}
+
+void StudioContext::setKey() {
+    Motion& motion = workspace.motion;
+    if (motion.keys.empty()) workspace.motionView = workspace.focused;
+    if (motion.keys.size() >= kMostKeys) return say("There are as many key frames as may be");
+    const Scene now = movingScene(workspace);
+    std::map<std::string, double> values = valuesAt(motion, player.at);
+    if (values.empty())
+        for (const std::string& name : movingNames(now)) values[name] = 0;
+    for (auto& [name, value] : values) value = movingValue(now, name).value_or(value);
+    KeyFrame& key = keyAt(motion, player.at);
+    key.values = std::move(values);
+    player.key = static_cast<int>(&key - motion.keys.data());
+    strip = Strip::motion;
+    touch();
+    say("Key frame " + std::to_string(player.key + 1) + " at " + formatNumber(player.at, 3) + " s");
+}
+
+void StudioContext::removeKey() {
+    auto& keys = workspace.motion.keys;
+    if (player.key < 0 || player.key >= static_cast<int>(keys.size())) return;
+    keys.erase(keys.begin() + player.key);
+    player.key = -1;
+    touch();
+}
+
+void StudioContext::saveMotion() {
+    if (workspace.motion.keys.empty()) return say("There is no motion to save yet");
+    const std::string text = printJson(documentToJson(motionDocument(workspace)));
+    Expected<std::string> path =
+        host.saveFile(workspace.view().map + "-motion.json",
+                      {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+    if (!path) return report(path.status());
+    say("Saved: " + *path + ". versorium animate makes pictures or a film of it");
+}
+
 void StudioContext::touch() {
     ++revision;
     touched = true;
@@ -119,6 +196,7 @@ void StudioContext::open(Workspace opened) {
     gallery.beginAnew();
     workspace = std::move(opened);
     animation.running = false;
+    player = {};
     for (ViewState& view : views) view.visits = {}, view.glide.reset();
     welcome = false;
     touch();
@@ -132,6 +210,12 @@ void StudioContext::newMap(const std::string& name) {
     Workspace next = workspaceOf(scene);
     if (count != 2) setViewCount(next, count);
     open(std::move(next));
+}
+
+void StudioContext::mark(int view) {
+    if (workspace.focused == view) return;
+    workspace.focused = view;
+    if (workspace.analysis()) ++revision;  // other numbers are shown
 }
 
 void StudioContext::visit(int view) {
@@ -210,7 +294,7 @@ bool StudioContext::pinch(ImVec2 from, ImVec2 to, double factor) {
         if (host.now() - state.pinchedAt > kPinchPause) visit(static_cast<int>(k));
         state.pinchedAt = host.now();
         state.drag = ViewState::Drag::pinch;
-        workspace.focused = static_cast<int>(k);
+        mark(static_cast<int>(k));
         Scene& scene = workspace.views[k];
         const Size size{static_cast<int>(state.high.x - state.low.x),
                         static_cast<int>(state.high.y - state.low.y)};
@@ -296,6 +380,7 @@ void StudioContext::copyImage() {
     ExportOptions options = exporting;
     options.allViews = options.allViews && exportOpen;
     options.plate = options.plate && exportOpen;
+    options.motion = false;
     beginExport(options, true);
 }
 
@@ -306,8 +391,12 @@ void StudioContext::beginExport(const ExportOptions& options, bool toClipboard) 
     const Expected<Document> document = exportDocument(workspace, aspects, options);
     if (!document) return report(document.status());
     copying = toClipboard;
-    const std::string name = workspace.view().map + (options.plate ? "-plate.png" : ".png");
-    host.startExport({printJson(documentToJson(*document)), name, toClipboard});
+    const bool film = options.film && host.makesFilms();
+    const std::string name = workspace.view().map + (options.motion  ? film ? ".webm" : ".zip"
+                                                     : options.plate ? "-plate.png"
+                                                                     : ".png");
+    host.startExport(
+        {printJson(documentToJson(*document)), name, toClipboard, options.motion && film});
     host.wake();
 }
 

@@ -82,6 +82,7 @@ struct StudioContext {
     bool fontsChanged = false;
     bool searchOpen = false, keysOpen = false, exportOpen = false, welcome = true;
     bool galleryOpen = false, fileOpen = false;
+    bool imagesAreLayers = false;  // images that are opened lie behind the fractal; else: shapes
     FileList files;
     int galleryAt = 0;  // the entry that the keys have come to: presets first, then recent ones
     Gallery gallery;
@@ -90,7 +91,7 @@ struct StudioContext {
     std::string notice;    // the last thing that was done or went wrong
     double noticeAt = -100;
     Probe probe;
-    enum class Strip { series, web } strip = Strip::series;
+    enum class Strip { series, web, motion } strip = Strip::series;
     int paletteStop = -1;  // the chosen stop of an own palette
     int orbitShown = 0;    // the step that the table has been scrolled to
     // An animated number: it runs between its ends until it is stopped, eased to and fro, or
@@ -103,6 +104,29 @@ struct StudioContext {
         bool running = false;
         bool toAndFro = true;
     } animation;
+
+    // The workspace's motion (scene/animation.h) while it is recorded or played.
+    struct Player {
+        bool recording = false, playing = false;
+        bool again = false;  // from the beginning once it has ended
+        double at = 0;       // seconds from the motion's beginning
+        double since = 0;    // when the recording began
+        Recorder recorder;
+        int key = -1;  // the chosen key frame
+        bool dragsKey = false;
+    } player;
+
+    // What the user does with the marked view becomes the motion, from now until it is stopped.
+    void record(bool on);
+    void play(bool on);
+    // Shows the motion at a time.
+    void showMotionAt(double time);
+    // What is shown now becomes the key frame at the player's time: all that the motion moves, or,
+    // where it moves nothing yet, everything.
+    void setKey();
+    void removeKey();
+    void saveMotion();
+    bool moves() const { return animation.running || player.playing || player.recording; }
 
     // Moves a number between two others, from where it is.
     void animate(const std::string& name, double low, double high);
@@ -121,6 +145,7 @@ struct StudioContext {
     void redo();
     void open(Workspace opened);
     void newMap(const std::string& name);
+    void mark(int view);   // commands act on it
     void visit(int view);  // remembers where a view is
     void revisit(int view, int step);
     void home(int view);
@@ -178,6 +203,8 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high);
 void drawProbe(StudioContext& context);
 void drawPaletteEditor(StudioContext& context);
 void drawInspector(StudioContext& context);
+void drawLayers(StudioContext& context);
+void drawTimeline(StudioContext& context);
 void drawOrbitStrip(StudioContext& context);
 void drawExport(StudioContext& context);
 // Says how an export ended, once it has.

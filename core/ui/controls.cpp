@@ -281,7 +281,7 @@ void collectWindow(StudioContext& context, Collector& all) {
     std::vector<std::string> views;
     for (int k = 1; k <= count; ++k) views.push_back(std::to_string(k));
     all.choice("marked", "marked view", std::to_string(workspace.focused + 1), views,
-               [c](const std::string& wanted) { c->workspace.focused = std::stoi(wanted) - 1; });
+               [c](const std::string& wanted) { c->mark(std::stoi(wanted) - 1); });
     all.toggle("maximised", "only the marked view", workspace.maximised,
                [c](bool on) { c->workspace.maximised = on; });
     std::vector<std::string> names;

@@ -25,6 +25,16 @@ void pictureOptions(StudioContext& context, ExportOptions& options) {
                         std::lround(options.width / context.aspect(context.workspace.focused)));
 }
 
+void motionOptions(StudioContext& context, ExportOptions& options) {
+    if (context.host.makesFilms()) {
+        if (radio("pictures in a ZIP", "film kind", !options.film)) options.film = false;
+        ImGui::SameLine();
+        if (radio("film (WebM)", "film kind", options.film)) options.film = true;
+    }
+    ImGui::TextDisabled("%d pictures of %s s", context.workspace.motion.frames(),
+                        formatNumber(context.workspace.motion.duration(), 4).c_str());
+}
+
 void plateOptions(StudioContext& context, ExportOptions& options) {
     if (context.workspace.views.size() > 1) {
         if (radio("marked view", "export what", !options.allViews)) options.allViews = false;
@@ -60,9 +70,17 @@ void drawExport(StudioContext& context) {
     const double progress = context.host.exportProgress();
     ImGui::PushItemWidth(ImGui::GetFontSize() * 11);
     ImGui::BeginDisabled(progress >= 0);
-    if (radio("picture", "export kind", !options.plate)) options.plate = false;
-    ImGui::SameLine();
-    if (radio("plate", "export kind", options.plate)) options.plate = true;
+    options.motion = options.motion && !context.workspace.motion.keys.empty();
+    const auto kind = [&](const char* label, bool plate, bool motion) {
+        if (radio(label, "export kind", options.plate == plate && options.motion == motion))
+            options.plate = plate, options.motion = motion;
+        ImGui::SameLine();
+    };
+    kind("picture", false, false);
+    kind("plate", true, false);
+    if (!context.workspace.motion.keys.empty()) kind("motion", false, true);
+    ImGui::NewLine();
+    if (options.motion) motionOptions(context, options);
     if (options.plate)
         plateOptions(context, options);
     else
@@ -74,7 +92,8 @@ void drawExport(StudioContext& context) {
         context.touch();
     }
     explain("samples");
-    ImGui::TextDisabled("The PNG carries its scene: it can be opened again.");
+    ImGui::TextDisabled(options.motion ? "Each PNG carries its scene: it can be opened again."
+                                       : "The PNG carries its scene: it can be opened again.");
     const bool enter =
         progress < 0 && !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(ImGuiKey_Enter, false);
     if (ImGui::Button("Export") || enter) context.startExport();

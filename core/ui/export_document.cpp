@@ -7,7 +7,7 @@
 #include "plate/markup.h"
 #include "plate/plate.h"
 #include "plate/scene_panels.h"
-#include "render/renderer.h"
+#include "render/movie.h"
 
 namespace versorium {
 namespace {
@@ -69,8 +69,29 @@ Document plateDocument(const Workspace& workspace, const std::vector<double>& as
 
 }  // namespace
 
+Document motionDocument(const Workspace& workspace) {
+    const auto view = static_cast<std::size_t>(workspace.motionView);
+    Scene scene = workspace.views[view];
+    // A dynamical view shows the points, not where one of them starts.
+    scene.parameters = workspace.views[workspace.speaker()].parameters;
+    return documentOfMovie({{std::move(scene), workspace.motion}, {}});
+}
+
 Expected<Document> exportDocument(const Workspace& workspace, const std::vector<double>& aspects,
                                   const ExportOptions& options) {
+    if (options.motion) {
+        if (workspace.motion.keys.empty())
+            return Status::usage("there is no motion yet: press R to record one");
+        const auto view = static_cast<std::size_t>(workspace.motionView);
+        Document document = motionDocument(workspace);
+        const Size size{options.width,
+                        std::max(1, static_cast<int>(std::lround(options.width / aspects[view])))};
+        if (Status status = checkSize(workspace.views[view], size); !status.ok()) return status;
+        document.body["scene"]["aspect"] = std::clamp(aspects[view], 0.1, 10.0);
+        document.render =
+            Json{{"width", size.width}, {"height", size.height}, {"flavour", "exact"}};
+        return document;
+    }
     if (options.plate) {
         const double pixels = options.millimetres / 25.4 * options.dotsPerInch;
         // A plate is seldom higher than wide; the layout itself checks the exact size.

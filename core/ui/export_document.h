@@ -9,6 +9,8 @@
 namespace versorium {
 
 struct ExportOptions {
+    bool motion = false;    // the pictures of the workspace's motion, one after the other
+    bool film = false;      // of a motion: as a film, where the host makes one
     bool plate = false;     // with axes, keys and a caption; else the bare picture
     bool allViews = false;  // as panels of the plate; else the marked view alone
     int width = 1600;       // of the bare picture, in pixels; its height follows from the view
@@ -16,6 +18,9 @@ struct ExportOptions {
     std::string theme = "paper";
     bool title = true, caption = true;
 };
+
+// The motion of the moving view, as an animation: for `versorium animate`.
+Document motionDocument(const Workspace& workspace);
 
 // `aspects` holds width over height of every view as it is shown. Fails where the picture would be
 // larger than any may be.

@@ -16,8 +16,8 @@ namespace versorium {
 
 // A place of its own among views, for the small pictures of the gallery. They are made when nothing
 // else is waiting.
-inline constexpr int kThumbnails = 4;
-inline constexpr int kPictureSlots = 5;
+inline constexpr int kThumbnails = 5;
+inline constexpr int kPictureSlots = 6;
 
 // A picture of a scene, asked for by a view. A new request for the same view cancels the old one.
 struct PictureRequest {
@@ -37,11 +37,13 @@ struct PictureAnswer {
     double seconds = 0;               // that it took
 };
 
-// A file to be made: a PNG that carries its scene or its plate, as the command line makes it.
+// A file to be made, as the command line makes it: a PNG that carries its scene or its plate, or a
+// ZIP archive of the pictures of an animation.
 struct ExportRequest {
     std::string document;      // JSON of a Document
     std::string name;          // proposed file name
     bool toClipboard = false;  // as an image; where that cannot be, as a file
+    bool film = false;         // of an animation: see Host::makesFilms
 };
 
 struct FolderEntry {
@@ -77,6 +79,8 @@ class Host {
     // file's path or "the clipboard", or what failed; ErrorKind::cancelled after cancelExport.
     virtual void startExport(ExportRequest request) = 0;
     virtual void cancelExport() = 0;
+    // Whether an animation can be made into a film of the host's own kind.
+    virtual bool makesFilms() const { return false; }
     virtual double exportProgress() const = 0;  // 0 … 1; negative while there is none
     virtual std::optional<Expected<std::string>> takeExport() = 0;
 

@@ -85,7 +85,7 @@ void parameters(StudioContext& context) {
     for (const ParameterInfo& parameter : info.parameters) {
         const int width = widthOf(parameter.kind);
         const std::string name(parameter.name);
-        std::vector<double> value = workspace.views[0].parameters[name];
+        std::vector<double> value = workspace.views[workspace.speaker()].parameters[name];
         bool changed = false;
         ImGui::PushID(name.c_str());
         if (width >= 2) {
@@ -399,6 +399,8 @@ void drawInspector(StudioContext& context) {
     sliceControls(context);
     heading("Colours");
     colourControls(context);
+    heading("Images behind and in front");
+    drawLayers(context);
 }
 
 }  // namespace versorium

@@ -10,6 +10,7 @@
 #include "io/mesh_files.h"
 #include "io/root_files.h"
 #include "plate/plate_picture.h"
+#include "render/movie.h"
 
 namespace versorium {
 namespace {
@@ -32,7 +33,21 @@ std::string fileName(const std::string& path) {
     return slash == std::string::npos ? path : path.substr(slash + 1);
 }
 
+// A motion of one view.
+Status takeMotion(StudioContext& context, const std::string& name, const Document& document) {
+    Expected<Movie> movie = movieFromDocument(document);
+    if (!movie) return movie.status();
+    Workspace workspace = workspaceOf(movie->animation.scene);
+    workspace.motion = std::move(movie->animation.motion);
+    workspace.motionView = workspace.focused;
+    context.open(std::move(workspace));
+    context.strip = StudioContext::Strip::motion;
+    context.say("Opened " + name + ": press Shift R to play it");
+    return {};
+}
+
 Status openDocument(StudioContext& context, const std::string& name, const Document& document) {
+    if (document.kind == "animation") return takeMotion(context, name, document);
     if (document.kind == "plate") {
         Expected<PlateDocument> plate = plateFromDocument(document);
         if (!plate) return plate.status();
@@ -123,10 +138,14 @@ Status takeShape(StudioContext& context, const std::string& name,
         if (!scene) return scene.status();
         next = workspaceOf(*scene);
     }
+    for (Scene& scene : next.views) scene.shape = {};
+    dropUnnamedAssets(next);
+    const std::string source = addSharedAsset(next, {name, {bytes.begin(), bytes.end()}});
+    if (source.empty())
+        return Status::usage("a scene carries no more than " +
+                             std::to_string(kMostAssetBytes >> 20) + " MiB");
     for (Scene& scene : next.views) {
-        scene.assets.clear();
-        scene.shape = {};
-        scene.shape.source = addAsset(scene, {name, {bytes.begin(), bytes.end()}});
+        scene.shape.source = source;
         if (endsWith(name, kMeshes)) frame(scene, *readMesh(bytes, name));
     }
     context.open(std::move(next));
@@ -134,6 +153,52 @@ Status takeShape(StudioContext& context, const std::string& name,
     context.say(fits ? name + " is the shape of this scene now"
                      : name + " is the shape of " + std::string(info.title) + " now: " + before +
                            " takes none");
+    return {};
+}
+
+// "leaf-" of "leaf-017.png"; empty where the name does not end in a number.
+std::string stemOf(const std::string& name) {
+    const std::size_t dot = std::min(name.rfind('.'), name.size());
+    std::size_t first = dot;
+    while (first > 0 && std::isdigit(static_cast<unsigned char>(name[first - 1]))) --first;
+    return first < dot ? name.substr(0, first) : std::string();
+}
+
+// An image of a numbered sequence goes to the others of its name, any other becomes a layer.
+Status takeLayer(StudioContext& context, const std::string& name,
+                 std::span<const unsigned char> bytes) {
+    const Expected<Raster<unsigned char>> image = readImage(bytes);
+    if (!image) return image.status();
+    Scene& scene = context.workspace.view();
+    const std::string source =
+        addSharedAsset(context.workspace, {name, {bytes.begin(), bytes.end()}});
+    if (source.empty())
+        return Status::usage("the images of a scene may have " +
+                             std::to_string(kMostAssetBytes >> 20) + " MiB together");
+    const std::string stem = stemOf(name);
+    for (Layer& layer : scene.layers) {
+        const std::string& last = layer.sources.back();
+        if (!last.starts_with("asset:") || stem.empty()) continue;
+        const auto asset = scene.assets.find(last.substr(6));
+        if (asset == scene.assets.end() || stemOf(asset->second->name) != stem ||
+            layer.sources.size() >= kMostFrames)
+            continue;
+        // In the order of their names, however they come in.
+        const auto after =
+            std::find_if(layer.sources.begin(), layer.sources.end(), [&](const std::string& other) {
+                const std::string& known = scene.assets.at(other.substr(6))->name;
+                return std::pair(known.size(), known) > std::pair(name.size(), name);
+            });
+        layer.sources.insert(after, source);
+        context.touch();
+        context.say(name + " is one of " + std::to_string(layer.sources.size()) + " frames");
+        return {};
+    }
+    if (scene.layers.size() >= kMostLayers)
+        return Status::usage("there are " + std::to_string(kMostLayers) + " images already");
+    scene.layers.push_back({.sources = {source}});
+    context.touch();
+    context.say(name + " lies behind the fractal");
     return {};
 }
 
@@ -153,6 +218,8 @@ Status openJson(StudioContext& context, const std::string& name, const std::stri
 Status openAny(StudioContext& context, const std::string& name,
                std::span<const unsigned char> bytes) {
     const bool png = bytes.size() > 4 && bytes[0] == 0x89 && bytes[1] == 'P';
+    if (context.imagesAreLayers && (png || endsWith(name, kImages)))
+        return takeLayer(context, name, bytes);
     if (png) {
         const Expected<Document> document = documentFromBytes(bytes);
         // A picture without a scene is an image like any other.

@@ -41,7 +41,22 @@ bool step(const char* label, const char* control) {
     return pressed;
 }
 
-void drawHead(StudioContext& context, const MapInfo& info, bool hasWeb) {
+void drawTabs(StudioContext& context, bool hasWeb) {
+    const auto tab = [&](const char* name, StudioContext::Strip strip) {
+        const bool now = context.strip == strip;
+        if (now) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_HeaderActive));
+        if (ImGui::SmallButton(name)) context.strip = strip;
+        if (now) ImGui::PopStyleColor();
+        explain(name);
+        ImGui::SameLine(0, 4);
+    };
+    tab("series", StudioContext::Strip::series);
+    if (hasWeb) tab("web", StudioContext::Strip::web);
+    tab("motion", StudioContext::Strip::motion);
+    ImGui::SameLine(0, 12);
+}
+
+void drawHead(StudioContext& context, const MapInfo& info) {
     Workspace& workspace = context.workspace;
     ImGui::Text("Orbit of %s", std::string(stateName(info.algebra)).c_str());
     ImGui::SameLine();
@@ -64,19 +79,6 @@ void drawHead(StudioContext& context, const MapInfo& info, bool hasWeb) {
     ImGui::PopStyleVar();
     explain("orbit steps");
     ImGui::SameLine();
-    const auto tab = [&](const char* name, StudioContext::Strip strip) {
-        const bool now = context.strip == strip;
-        if (now) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_HeaderActive));
-        if (ImGui::SmallButton(name)) context.strip = strip;
-        if (now) ImGui::PopStyleColor();
-        explain(name);
-        ImGui::SameLine(0, 4);
-    };
-    if (hasWeb) {
-        tab("series", StudioContext::Strip::series);
-        tab("web", StudioContext::Strip::web);
-        ImGui::SameLine();
-    }
     const auto& orbit = context.orbit();
     if (ImGui::SmallButton("Copy table")) {
         context.host.setClipboard(tableText(info, orbit));
@@ -253,6 +255,8 @@ void drawOrbitStrip(StudioContext& context) {
     const OrbitProgram* program = context.orbitProgram();
     const Scene scene = orbitScene(context.workspace);
     const MapInfo& info = mapOf(scene).info;
+    if (!program || context.strip == StudioContext::Strip::motion) drawTabs(context, false);
+    if (context.strip == StudioContext::Strip::motion) return drawTimeline(context);
     if (!program) {
         ImGui::TextDisabled("This shape is measured in the pictures only.");
         return;
@@ -262,7 +266,8 @@ void drawOrbitStrip(StudioContext& context) {
         program->map->dimension == 1 && scene.slice.centre.size() > 1 ? scene.slice.centre[1] : 0;
     const bool hasWeb = keepsRealLine(*program, second);
     if (!hasWeb) context.strip = StudioContext::Strip::series;
-    drawHead(context, info, hasWeb);
+    drawTabs(context, hasWeb);
+    drawHead(context, info);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 space = ImGui::GetContentRegionAvail();
     if (space.x < 60 || space.y < 30) return;

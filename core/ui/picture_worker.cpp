@@ -5,7 +5,7 @@
 
 #include "colour/srgb.h"
 #include "plate/plate_picture.h"
-#include "render/picture.h"
+#include "render/movie.h"
 
 namespace versorium {
 namespace {
@@ -55,6 +55,11 @@ Expected<std::vector<unsigned char>> computeExport(CpuRenderer& renderer,
         Expected<PlateFile> file = renderPlate(renderer, *plate, job);
         if (!file) return file.status();
         return std::move(file->png);
+    }
+    if (document->kind == "animation") {
+        const Expected<Movie> movie = movieFromDocument(*document);
+        if (!movie) return movie.status();
+        return renderArchive(renderer, *movie, job);
     }
     Expected<Scene> scene = sceneWithAssets(document->body, document->assets);
     if (!scene) return scene.status();

@@ -8,7 +8,7 @@
 namespace versorium {
 
 PictureAnswer computePicture(CpuRenderer& renderer, const PictureRequest& request, Job& job);
-// The bytes of the PNG that an export makes.
+// The bytes of the file that an export makes: a PNG, or of a motion a ZIP archive of them.
 Expected<std::vector<unsigned char>> computeExport(CpuRenderer& renderer,
                                                    const ExportRequest& request, Job& job);
 

@@ -59,8 +59,7 @@ void Studio::State::settle() {
     const double now = context.host.now();
     if (context.touched) {
         fragmentOld = true;
-        if (!ImGui::IsAnyMouseDown() && now - context.touchedAt > kQuiet &&
-            !context.animation.running) {
+        if (!ImGui::IsAnyMouseDown() && now - context.touchedAt > kQuiet && !context.moves()) {
             context.record();
         }
     }
@@ -84,6 +83,21 @@ void Studio::State::animate() {
     lastFrame = now;
     const StudioContext::Animation& animation = context.animation;
     if (animation.running) context.advanceAnimation(passed / animation.seconds);
+    StudioContext::Player& player = context.player;
+    if (player.playing) {
+        const double end = context.workspace.motion.duration();
+        double at = player.at + passed;
+        if (at >= end) {
+            player.playing = player.again && end > 0;
+            at = player.playing ? at - end : end;
+        }
+        context.showMotionAt(at);
+    }
+    if (player.recording) {
+        player.recorder.take(movingScene(context.workspace), now);
+        player.at = now - player.since;
+        if (player.at >= kMostSeconds) context.record(false);
+    }
 }
 
 void Studio::State::drawViews(ImVec2 low, ImVec2 high) {
@@ -91,6 +105,20 @@ void Studio::State::drawViews(ImVec2 low, ImVec2 high) {
     const int count = workspace.maximised ? 1 : static_cast<int>(workspace.views.size());
     if (count == 1) return drawView(context, workspace.focused, low, high);
     const float gap = 6 * context.scale;
+    if (workspace.analysis() && !workspace.maximised) {
+        // The set on the left as large as the four beside it.
+        const float half = std::floor((high.x - low.x - gap) / 2);
+        drawView(context, 0, low, {low.x + half, high.y});
+        const float left = low.x + half + gap;
+        const float width = std::floor((high.x - left - gap) / 2);
+        const float tall = std::floor((high.y - low.y - gap) / 2);
+        for (int k = 0; k < 4; ++k) {
+            const ImVec2 corner{left + static_cast<float>(k % 2) * (width + gap),
+                                low.y + static_cast<float>(k / 2) * (tall + gap)};
+            drawView(context, k + 1, corner, {corner.x + width, corner.y + tall});
+        }
+        return;
+    }
     const int rows = count == 4 ? 2 : 1;
     const float width = std::floor((high.x - low.x - gap) / 2);
     const float height = std::floor((high.y - low.y - gap * static_cast<float>(rows - 1)) /
@@ -186,9 +214,10 @@ void Studio::State::drawNarrow(ImVec2 low, ImVec2 size) {
     ImGui::SetCursorScreenPos(low);
     for (std::size_t k = 0; k < workspace.views.size(); ++k) {
         if (k) ImGui::SameLine();
-        const std::string label = (showsParameters(workspace.views[k]) ? "Parameters" : "Points") +
-                                  std::string("##") + std::to_string(k);
-        if (ImGui::Button(label.c_str(), button)) workspace.focused = static_cast<int>(k);
+        std::string label = showsParameters(workspace.views[k]) ? "Parameters" : "Points";
+        if (workspace.analysis()) label = k == 0 ? "Set" : std::to_string(k);
+        label += "##" + std::to_string(k);
+        if (ImGui::Button(label.c_str(), button)) context.mark(static_cast<int>(k));
         explain("view tab");
     }
     ImGui::SameLine();
@@ -270,7 +299,7 @@ bool Studio::busy() const {
     const StudioContext& context = state_->context;
     for (std::size_t k = 0; k < context.workspace.views.size(); ++k)
         if (state_->shows(k) && context.views[k].picture.working()) return true;
-    return context.animation.running || context.gliding();
+    return context.moves() || context.gliding();
 }
 
 bool Studio::pinch(float fromX, float fromY, float toX, float toY, double factor) {
@@ -308,7 +337,7 @@ bool Studio::finished() const {
     const Workspace& workspace = state_->context.workspace;
     for (std::size_t k = 0; k < workspace.views.size(); ++k)
         if (state_->shows(k) && !state_->context.views[k].picture.finished()) return false;
-    return !state_->context.animation.running && !state_->context.gliding();
+    return !state_->context.moves() && !state_->context.gliding();
 }
 
 std::string Studio::controls() const { return controlsText(state_->context); }
@@ -317,7 +346,7 @@ bool Studio::setControl(const std::string& id, const std::string& value) {
 }
 void Studio::markView(int view) {
     Workspace& workspace = state_->context.workspace;
-    if (view >= 0 && view < static_cast<int>(workspace.views.size())) workspace.focused = view;
+    if (view >= 0 && view < static_cast<int>(workspace.views.size())) state_->context.mark(view);
 }
 
 int Studio::pictures() const {
@@ -327,7 +356,10 @@ int Studio::pictures() const {
 }
 
 void Studio::tell(const Status& status) { state_->context.report(status); }
-void Studio::stopAnimation() { state_->context.animation.running = false; }
+void Studio::stopAnimation() {
+    state_->context.animation.running = false;
+    state_->context.player.playing = false;
+}
 
 void Studio::contextLost() {
     state_->context.gpu.forget();

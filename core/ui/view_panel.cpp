@@ -19,6 +19,42 @@ constexpr double kLeastBudget = 0.012, kMostBudget = 0.05;
 
 bool near(ImVec2 a, ImVec2 b, float reach) { return std::hypot(a.x - b.x, a.y - b.y) <= reach; }
 
+// The view of an analysis whose place in the first view is near the pointer; 0 where none is.
+int placeNear(const StudioContext& context, const ViewPlane& plane, ImVec2 mouse) {
+    const Workspace& workspace = context.workspace;
+    int nearest = 0;
+    float reach = kReach * context.scale;
+    for (std::size_t k = 1; k < workspace.views.size(); ++k) {
+        const auto at = markerOf(workspace.views[k], workspace.views[0].slice);
+        const ImVec2 place = plane.at(at[0], at[1]);
+        const float distance = std::hypot(mouse.x - place.x, mouse.y - place.y);
+        if (distance > reach) continue;
+        reach = distance;
+        nearest = static_cast<int>(k);
+    }
+    return nearest;
+}
+
+// The four places of an analysis in its first view, and the mark of each in the others.
+void drawPlaces(const StudioContext& context, int view, const ViewPlane& plane, ImDrawList& list) {
+    const Workspace& workspace = context.workspace;
+    for (int k = 1; k < kAnalysisViews; ++k) {
+        const auto shape = static_cast<MarkShape>(k - 1);
+        const float size = 8 * context.scale;
+        const ImVec2 corner{plane.high.x - 18 * context.scale, plane.low.y + 18 * context.scale};
+        if (view == k) drawMark(list, corner, size, shape, pinColour(k - 1));
+        if (view != 0) continue;
+        const auto at =
+            markerOf(workspace.views[static_cast<std::size_t>(k)], workspace.views[0].slice);
+        const ImVec2 place = plane.at(at[0], at[1]);
+        if (static_cast<int>(workspace.speaker()) == k)
+            list.AddCircle(place, 14 * context.scale, IM_COL32(255, 255, 255, 220), 0, 1.5f);
+        drawMark(list, place, size, shape, pinColour(k - 1));
+        drawText(list, {place.x + 11 * context.scale, place.y - 20 * context.scale},
+                 pinColour(k - 1), std::to_string(k));
+    }
+}
+
 // The pointer's work; true while it may probe.
 void handlePointer(StudioContext& context, int view, const ViewPlane& plane, bool hovered,
                    bool active) {
@@ -33,7 +69,10 @@ void handlePointer(StudioContext& context, int view, const ViewPlane& plane, boo
                      plane.v(mouse.y));
     const bool left = ImGui::IsMouseClicked(0), right = ImGui::IsMouseClicked(1);
     if (hovered && (left || right)) {
-        if (workspace.focused != view) workspace.focused = view;
+        const bool places = workspace.analysis() && view == 0;
+        const int place = places ? placeNear(context, plane, mouse) : 0;
+        const int spoken = static_cast<int>(workspace.speaker());
+        context.mark(place > 0 ? place : places && io.KeyCtrl ? spoken : view);
         context.welcome = false;
         context.animation.running = context.animation.running && !left;
         state.dragFrom = mouse;
@@ -41,7 +80,7 @@ void handlePointer(StudioContext& context, int view, const ViewPlane& plane, boo
             state.drag = ViewState::Drag::box;
         } else if (io.KeyShift) {
             if (workspace.pins.size() == kMostPins) workspace.pins.erase(workspace.pins.begin());
-            workspace.pins.push_back(workspace.views[0].parameters);
+            workspace.pins.push_back(workspace.views[workspace.speaker()].parameters);
             context.touch();
         } else if (io.KeyCtrl) {
             moveMarker(workspace, static_cast<std::size_t>(view), plane.u(mouse.x),
@@ -49,7 +88,7 @@ void handlePointer(StudioContext& context, int view, const ViewPlane& plane, boo
             context.touch();
             state.drag = ViewState::Drag::marker;
         } else {
-            const bool caught = near(mouse, ring, kReach * context.scale);
+            const bool caught = places ? place > 0 : near(mouse, ring, kReach * context.scale);
             state.drag = caught ? ViewState::Drag::marker : ViewState::Drag::pan;
             if (!caught) context.visit(view);
         }
@@ -139,25 +178,30 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
     list.PushClipRect(low, high, true);
     if (!showsParameters(scene)) {
         if (workspace.arrows) drawArrows(context, view, plane, list);
-        drawOrbit(context, view, plane, list);
+        if (!workspace.analysis() || view == static_cast<int>(workspace.speaker()))
+            drawOrbit(context, view, plane, list);
     } else {
         for (std::size_t k = 0; k < workspace.pins.size(); ++k) {
-            Workspace pinned = workspace;
-            for (const auto& [name, value] : workspace.pins[k])
-                setSharedParameter(pinned, name, value);
-            const auto at = markerOf(pinned, static_cast<std::size_t>(view));
+            Scene pinned = scene;
+            pinned.parameters = workspace.pins[k];
+            const auto at = markerOf(pinned, scene.slice);
             drawMark(list, plane.at(at[0], at[1]), 7 * context.scale, static_cast<MarkShape>(k),
                      pinColour(static_cast<int>(k)));
         }
     }
     const auto marker = markerOf(workspace, static_cast<std::size_t>(view));
-    drawMark(list, plane.at(marker[0], marker[1]), 9 * context.scale, MarkShape::ring,
-             IM_COL32(255, 255, 255, 255));
+    if (workspace.analysis()) drawPlaces(context, view, plane, list);
+    if (!workspace.analysis() || view > 0)
+        drawMark(list, plane.at(marker[0], marker[1]), 9 * context.scale, MarkShape::ring,
+                 IM_COL32(255, 255, 255, 255));
     if (state.drag == ViewState::Drag::box)
         list.AddRect(state.dragFrom, ImGui::GetIO().MousePos, theme.accent, 0, 0, 2);
-    const std::string title = showsParameters(scene) ? "Parameters" : "Starting points";
-    drawText(list, {low.x + 12, low.y + 9}, IM_COL32(231, 233, 238, 255),
-             title + "  ·  height " + formatNumber(plane.place.height, 3));
+    std::string title = showsParameters(scene) ? "Parameters" : "Starting points";
+    if (workspace.analysis() && view > 0) title += " " + std::to_string(view);
+    const std::string measure = "  ·  height " + formatNumber(plane.place.height, 3);
+    if (ImGui::CalcTextSize((title + measure).c_str()).x < high.x - low.x - 48 * context.scale)
+        title += measure;
+    drawText(list, {low.x + 12, low.y + 9}, IM_COL32(231, 233, 238, 255), title);
     if (!state.picture.message().empty())
         drawText(list, {low.x + 12, 0.5f * (low.y + high.y)}, IM_COL32(255, 190, 120, 255),
                  state.picture.message());

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "maps/critical.h"
 
 namespace versorium {
 namespace {
 
+const std::string kAssetPrefix = "asset:";
 // A fit for a map whose parameter plane is not square: the wider of the two ranges decides.
 constexpr double kParameterHeight = 3;
 
@@ -22,6 +24,13 @@ void shareWith(Scene& scene, const Scene& like) {
 bool isState(const Scene& scene, const std::string& name) {
     const std::optional<NumberRef> number = numberNamed(scene, name);
     return number && number->kind == NumberKind::state;
+}
+
+bool isOn(const SliceSpec& slice, const std::string& name) {
+    for (const SliceAxis& axis : slice.axes)
+        for (const auto& [term, weight] : axis.terms)
+            if (term == name) return true;
+    return false;
 }
 
 double originOf(const SliceSpec& slice, const std::string& name) {
@@ -83,7 +92,12 @@ Scene parameterView(const Scene& like) {
     }
     scene.slice.height = kParameterHeight;
     if (map.info.name == "quadratic") scene.slice.centre[0] = -0.65;
-    if (hasCriticalPoints(map)) scene.criticalStart = 0;
+    // A planar map may have a whole curve of critical points, or none: the origin, as A
+    // section 4.2.
+    if (map.info.algebra == Algebra::plane)
+        scene.start.assign(2, 0.0);
+    else if (hasCriticalPoints(map))
+        scene.criticalStart = 0;
     return scene;
 }
 
@@ -121,6 +135,12 @@ Workspace workspaceOf(const Scene& scene) {
 }
 
 void setViewCount(Workspace& workspace, int count) {
+    if (workspace.analysis()) {
+        const Scene spoken = workspace.views[workspace.speaker()];
+        for (Scene& scene : workspace.views) scene.parameters = spoken.parameters;
+        workspace.views.resize(static_cast<std::size_t>(std::min(count, 4)));
+        workspace.focused = 0;
+    }
     while (static_cast<int>(workspace.views.size()) < count) {
         const std::size_t size = workspace.views.size();
         workspace.views.push_back(size < 2 ? dynamicalView(workspace.views[0])
@@ -131,10 +151,38 @@ void setViewCount(Workspace& workspace, int count) {
     workspace.focused = std::min(workspace.focused, count - 1);
     if (count == 1) workspace.focused = 0;
     workspace.maximised = false;
+    workspace.motionView = std::min(workspace.motionView, count - 1);
+}
+
+bool setAnalysis(Workspace& workspace) {
+    if (workspace.analysis()) return true;
+    const auto shown =
+        std::find_if(workspace.views.begin(), workspace.views.end(), showsParameters);
+    Scene set = shown == workspace.views.end() ? parameterView(workspace.views[0]) : *shown;
+    if (!showsParameters(set) || set.slice.axes.size() < 2) return false;
+    const auto points =
+        std::find_if_not(workspace.views.begin(), workspace.views.end(), showsParameters);
+    const Scene like = points == workspace.views.end() ? dynamicalView(set) : *points;
+    workspace.views.assign(1, std::move(set));
+    workspace.views.resize(kAnalysisViews, like);
+    workspace.maximised = false;
+    // Where no pin is, a place beside the present one, as far as a quarter of the picture.
+    constexpr double kPlaces[4][2] = {{0, 0}, {-1, 0.4}, {0.4, 1}, {-0.4, -1}};
+    const std::array<double, 2> here = markerOf(workspace, 0);
+    for (std::size_t k = 0; k < 4; ++k) {
+        workspace.focused = static_cast<int>(k) + 1;
+        const double step = 0.2 * workspace.views[0].slice.height;
+        moveMarker(workspace, 0, here[0] + step * kPlaces[k][0], here[1] + step * kPlaces[k][1]);
+        if (k < workspace.pins.size()) workspace.views[k + 1].parameters = workspace.pins[k];
+    }
+    workspace.pins.clear();
+    workspace.focused = 1;
+    workspace.motionView = 0;
+    return true;
 }
 
 double sharedNumber(const Workspace& workspace, const std::string& name) {
-    const Scene& scene = workspace.views[0];
+    const Scene& scene = workspace.views[workspace.speaker()];
     const std::optional<NumberRef> number = numberNamed(scene, name);
     if (!number) return 0;
     if (number->kind == NumberKind::state)
@@ -148,16 +196,25 @@ void setSharedNumber(Workspace& workspace, const std::string& name, double value
     if (!number) return;
     if (number->kind == NumberKind::state)
         workspace.point[static_cast<std::size_t>(number->index)] = value;
+    else if (workspace.analysis() && isOn(workspace.views[0].slice, name))
+        return setNumber(workspace.views[workspace.speaker()], *number, value);
     for (Scene& scene : workspace.views) setNumber(scene, *number, value);
 }
 
 void setSharedParameter(Workspace& workspace, const std::string& name,
                         const std::vector<double>& value) {
-    for (Scene& scene : workspace.views) scene.parameters[name] = value;
+    const MapInfo& info = mapOf(workspace.views[0]).info;
+    int component = 0;
+    for (const ParameterInfo& parameter : info.parameters) {
+        const int width = widthOf(parameter.kind);
+        for (int k = 0; k < width && name == parameter.name; ++k)
+            setSharedNumber(workspace, parameterComponent(info, component + k),
+                            value[static_cast<std::size_t>(k)]);
+        component += width;
+    }
 }
 
-std::array<double, 2> markerOf(const Workspace& workspace, std::size_t view) {
-    const SliceSpec& slice = workspace.views[view].slice;
+std::array<double, 2> markerOf(const Scene& numbers, const SliceSpec& slice) {
     std::array<double, 2> marker{};
     for (std::size_t k = 0; k < std::min<std::size_t>(2, slice.axes.size()); ++k) {
         // The term of the largest weight says where on the axis the numbers are.
@@ -166,10 +223,17 @@ std::array<double, 2> markerOf(const Workspace& workspace, std::size_t view) {
             return std::abs(a.second) < std::abs(b.second);
         });
         if (term == terms.end() || term->second == 0) continue;
-        marker[k] =
-            (sharedNumber(workspace, term->first) - originOf(slice, term->first)) / term->second;
+        const std::optional<NumberRef> number = numberNamed(numbers, term->first);
+        if (!number) continue;
+        marker[k] = (numberValue(numbers, *number) - originOf(slice, term->first)) / term->second;
     }
     return marker;
+}
+
+std::array<double, 2> markerOf(const Workspace& workspace, std::size_t view) {
+    Scene numbers = workspace.views[workspace.speaker()];
+    numbers.start = workspace.point;
+    return markerOf(numbers, workspace.views[view].slice);
 }
 
 void moveMarker(Workspace& workspace, std::size_t view, double u, double v) {
@@ -202,7 +266,7 @@ Scene pictureScene(const Scene& view, double aspect) {
 }
 
 Scene orbitScene(const Workspace& workspace) {
-    Scene scene = dynamicalView(workspace.views[0]);
+    Scene scene = dynamicalView(workspace.views[workspace.speaker()]);
     scene.criticalStart.reset();
     scene.start = workspace.point;
     scene.iterations = workspace.view().iterations;
@@ -220,6 +284,22 @@ Scene orbitScene(const Workspace& workspace) {
         scene.slice.centreLow.push_back(0);
     }
     return scene;
+}
+
+Scene movingScene(const Workspace& workspace) {
+    Scene scene = workspace.views[static_cast<std::size_t>(workspace.motionView)];
+    scene.parameters = workspace.views[workspace.speaker()].parameters;
+    scene.start = workspace.point;
+    return scene;
+}
+
+void showMotion(Workspace& workspace, double time) {
+    for (const auto& [name, value] : valuesAt(workspace.motion, time))
+        if (numberNamed(workspace.views[0], name))
+            setSharedNumber(workspace, name, value);
+        else
+            setMovingValue(workspace.views[static_cast<std::size_t>(workspace.motionView)], name,
+                           value);
 }
 
 std::array<double, 4> bordersOf(const Scene& scene, double aspect) {
@@ -243,6 +323,28 @@ bool setBorder(Scene& scene, int border, double value, double aspect) {
     scene.slice.centreLow[axis] = 0;
     scene.slice.height = height;
     return true;
+}
+
+void dropUnnamedAssets(Workspace& workspace) {
+    std::set<std::string> named;
+    for (const Scene& scene : workspace.views) {
+        named.insert(scene.shape.source);
+        for (const Layer& layer : scene.layers)
+            named.insert(layer.sources.begin(), layer.sources.end());
+    }
+    for (Scene& scene : workspace.views)
+        std::erase_if(scene.assets, [&](const auto& asset) {
+            return !named.contains(kAssetPrefix + asset.first);
+        });
+}
+
+std::string addSharedAsset(Workspace& workspace, Asset asset) {
+    std::size_t bytes = asset.bytes.size();
+    for (const auto& [hash, known] : workspace.views[0].assets) bytes += known->bytes.size();
+    if (bytes > kMostAssetBytes) return {};
+    const std::string source = addAsset(workspace.views[0], std::move(asset));
+    for (Scene& scene : workspace.views) scene.assets = workspace.views[0].assets;
+    return source;
 }
 
 std::vector<std::string> axisNames(const Scene& scene) {

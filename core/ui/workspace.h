@@ -2,19 +2,24 @@
 #pragma once
 // Workspace: what the studio shows, as one value. Every view is a whole Scene of the same map; the
 // views are welded: map, parameters, lists, shape and the orbit's starting point are the same in
-// all of them, while slice, starting rule, iterations and colours are each view's own. Undo is a
-// list of workspaces, a link is a workspace.
+// all of them, while slice, starting rule, iterations, layers and colours are each view's own.
+// Undo is a list of workspaces, a link is a workspace.
+//
+// Five views are an analysis (A section 5.1): the first one shows parameters, and each of the four
+// others has its own place there. Numbers on the first view's axes are then each view's own.
 
 #include <array>
 #include <string>
 #include <vector>
 
+#include "scene/animation.h"
 #include "scene/numbers.h"
 #include "scene/scene.h"
 
 namespace versorium {
 
-inline constexpr int kMostViews = 4;
+inline constexpr int kMostViews = 5;
+inline constexpr int kAnalysisViews = 5;
 inline constexpr int kMostPins = 4;
 inline constexpr int kMostOrbitSteps = 1000;
 inline constexpr std::size_t kMostRanges = 256;
@@ -25,7 +30,7 @@ inline constexpr double kLeastHeight = 1e-13, kMostHeight = 1e6;
 using Pin = std::map<std::string, std::vector<double>>;
 
 struct Workspace {
-    std::vector<Scene> views;   // 1, 2 or 4
+    std::vector<Scene> views;   // 1, 2, 4 or 5
     int focused = 0;            // the view that commands act on
     bool maximised = false;     // only the focused view is shown
     std::vector<double> point;  // z_0 of the orbit that is drawn: one number for each of a state
@@ -35,7 +40,15 @@ struct Workspace {
     std::vector<Pin> pins;
     // The ranges of sliders that are not the program's own, by the number's name: low < high.
     std::map<std::string, std::array<double, 2>> ranges;
+    // A motion of the numbers that all views share, and of what is the moving view's own.
+    Motion motion;
+    int motionView = 0;
 
+    bool analysis() const { return views.size() == kAnalysisViews; }
+    // The view whose numbers are shown and set: the marked one of an analysis, never its first.
+    std::size_t speaker() const {
+        return analysis() ? static_cast<std::size_t>(focused > 0 ? focused : 1) : 0;
+    }
     Scene& view() { return views[static_cast<std::size_t>(focused)]; }
     const Scene& view() const { return views[static_cast<std::size_t>(focused)]; }
 };
@@ -54,6 +67,9 @@ bool showsParameters(const Scene& scene);
 Workspace workspaceOf(const Scene& scene);
 // 1, 2 or 4 views; new ones repeat the kinds of the first two.
 void setViewCount(Workspace& workspace, int count);
+// Five views: parameters, and starting points at the pins, or at places around where it is. False
+// where the map has no two parameters.
+bool setAnalysis(Workspace& workspace);
 
 // Numbers that all views share: components of the state mean the orbit's starting point.
 double sharedNumber(const Workspace& workspace, const std::string& name);
@@ -61,8 +77,9 @@ void setSharedNumber(Workspace& workspace, const std::string& name, double value
 void setSharedParameter(Workspace& workspace, const std::string& name,
                         const std::vector<double>& value);
 
-// Where the current numbers lie in a view, along its axes, and the way back.
+// Where the current numbers, or those of a scene, lie in a view, along its axes, and the way back.
 std::array<double, 2> markerOf(const Workspace& workspace, std::size_t view);
+std::array<double, 2> markerOf(const Scene& numbers, const SliceSpec& slice);
 void moveMarker(Workspace& workspace, std::size_t view, double u, double v);
 
 // A view's height is what its shorter side shows, so that a tall one, as on a phone, cuts nothing
@@ -72,6 +89,12 @@ double shownHeight(const Scene& view, double aspect);
 // not depend on, since they run along its axes. Views that differ in these alone look the same.
 Scene pictureScene(const Scene& view, double aspect);
 
+// Files that no view needs any more are forgotten.
+void dropUnnamedAssets(Workspace& workspace);
+// Puts a file into all views and returns its name for a layer or a shape. Empty where they would
+// carry more than kMostAssetBytes.
+std::string addSharedAsset(Workspace& workspace, Asset asset);
+
 // All numbers that an axis of a slice may stand for.
 std::vector<std::string> axisNames(const Scene& scene);
 // Lets an axis of the focused view stand for a number. The same number on both axes would be a
@@ -80,6 +103,11 @@ void setAxis(Workspace& workspace, std::size_t axis, const std::string& name);
 
 // A scene whose points are the starting points around `workspace.point`; for orbits and probes.
 Scene orbitScene(const Workspace& workspace);
+
+// The moving view with all that a motion could move, as it is now.
+Scene movingScene(const Workspace& workspace);
+// The motion at a time: numbers go to all views, the others to the moving view.
+void showMotion(Workspace& workspace, double time);
 
 // The borders of a view that is `aspect` times as wide as high: left, right, bottom, top.
 std::array<double, 4> bordersOf(const Scene& scene, double aspect);

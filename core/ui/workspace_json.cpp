@@ -48,7 +48,9 @@ Status checkWelded(const Workspace& workspace) {
     for (std::size_t k = 1; k < workspace.views.size(); ++k) {
         const Json other = sceneToJson(workspace.views[k]);
         for (const char* key : {"map", "parameters", "lists", "shape"})
-            if (first.value(key, Json()) != other.value(key, Json()))
+            // Views of an analysis have places of their own.
+            if (!(workspace.analysis() && key == std::string("parameters")) &&
+                first.value(key, Json()) != other.value(key, Json()))
                 return Status::data("views[" + std::to_string(k) + "]." + key +
                                     ": differs from the first view's");
     }
@@ -75,6 +77,10 @@ Json workspaceToJson(const Workspace& workspace) {
             json["pins"].push_back(values);
         }
     }
+    if (!workspace.motion.keys.empty()) {
+        motionToJson(workspace.motion, json["motion"]);
+        json["motion"]["view"] = workspace.motionView;
+    }
     for (const auto& [name, range] : workspace.ranges) json["ranges"][name] = {range[0], range[1]};
     return json;
 }
@@ -84,8 +90,9 @@ Expected<Workspace> workspaceFromJson(const Json& json) {
     ObjectReader reader(json, "");
     const Json* views = reader.child("views");
     if (!views || !views->is_array() ||
-        (views->size() != 1 && views->size() != 2 && views->size() != 4))
-        return Status::data("views: must be a list of 1, 2 or 4 scenes");
+        (views->size() != 1 && views->size() != 2 && views->size() != 4 &&
+         views->size() != kAnalysisViews))
+        return Status::data("views: must be a list of 1, 2, 4 or 5 scenes");
     for (std::size_t k = 0; k < views->size(); ++k) {
         Expected<Scene> scene = sceneFromJson((*views)[k]);
         if (!scene) return scene.status().in("views[" + std::to_string(k) + "]");
@@ -122,6 +129,13 @@ Expected<Workspace> workspaceFromJson(const Json& json) {
                 workspace.pins.push_back(pin);
             }
         }
+    }
+    if (const Json* motion = reader.child("motion")) {
+        ObjectReader one(*motion, "motion");
+        one.integer("view", workspace.motionView, 0, static_cast<int>(views->size()) - 1);
+        const Scene& moving = workspace.views[static_cast<std::size_t>(workspace.motionView)];
+        if (Status status = readMotion(one, moving, workspace.motion); !status.ok()) return status;
+        if (Status status = one.finish(); !status.ok()) return status;
     }
     if (const Json* ranges = reader.child("ranges")) {
         if (!ranges->is_object() || ranges->size() > kMostRanges) {

@@ -91,7 +91,7 @@ bool isThere(const std::string& path, const Document& document) {
 // The numbered pictures of the folder; those that are there already are kept.
 Status writeFrames(const Movie& movie, const std::string& folder, int threads, Json& report) {
     if (Status status = makeFolder(folder); !status.ok()) return status;
-    const int frames = movie.animation.frames();
+    const int frames = movie.animation.motion.frames();
     Job job(threads);
     const ProgressLine progress(job, std::to_string(frames) + " pictures");
     CpuRenderer renderer;
@@ -128,7 +128,7 @@ Status encode(const Movie& movie, const std::string& encoder, const std::string&
                                    "error",
                                    "-y",
                                    "-framerate",
-                                   formatNumber(movie.animation.framesPerSecond),
+                                   formatNumber(movie.animation.motion.framesPerSecond),
                                    "-start_number",
                                    "1",
                                    "-i",
@@ -155,10 +155,11 @@ Expected<Movie> openMovie(const AnimateRequest& request) {
     if (!document) return document.status();
     if (document->kind != "animation")
         return Status::data(request.file + ": this is a " + document->kind +
-                            "; an animation has \"keys\": record one in the studio (Ctrl+R)");
+                            "; an animation has \"keys\": record one in the studio with R");
     Expected<Movie> movie = movieFromDocument(*document);
     if (!movie) return movie.status().in(request.file);
-    if (request.framesPerSecond > 0) movie->animation.framesPerSecond = request.framesPerSecond;
+    if (request.framesPerSecond > 0)
+        movie->animation.motion.framesPerSecond = request.framesPerSecond;
     if (!request.size.empty()) {
         Expected<Size> size = parseSize(request.size);
         if (!size) return size.status();
@@ -182,11 +183,12 @@ Status animate(const AnimateRequest& request, int threads) {
     Json report{{"output", request.output}, {"width", size.width}, {"height", size.height}};
     if (archive) {
         Job job(threads);
-        const ProgressLine progress(job, std::to_string(movie->animation.frames()) + " pictures");
+        const ProgressLine progress(job,
+                                    std::to_string(movie->animation.motion.frames()) + " pictures");
         CpuRenderer renderer;
         Expected<std::vector<unsigned char>> bytes = renderArchive(renderer, *movie, job);
         if (!bytes) return bytes.status();
-        report["frames"] = movie->animation.frames();
+        report["frames"] = movie->animation.motion.frames();
         if (Status status = writeFileAtomically(request.output, *bytes); !status.ok())
             return status;
     } else {
@@ -196,7 +198,7 @@ Status animate(const AnimateRequest& request, int threads) {
         if (film) {
             if (Status status = encode(*movie, encoder, folder, request.output); !status.ok())
                 return status;
-            if (!request.keepFrames) removeFrames(folder, movie->animation.frames());
+            if (!request.keepFrames) removeFrames(folder, movie->animation.motion.frames());
         }
     }
     return request.json ? print(printJson(report)) : Status{};

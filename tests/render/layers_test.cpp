@@ -133,11 +133,11 @@ TEST(MovieTest, FramesAndTheirArchive) {
     Movie movie;
     movie.animation.scene = plain(0.5);
     movie.animation.scene.layers = {{.sources = {addAsset(movie.animation.scene, fourSquares())}}};
-    movie.animation.framesPerSecond = 2;
-    movie.animation.keys = {{0, Easing::linear, {{"layers[0].x", 0}}},
-                            {1, Easing::linear, {{"layers[0].x", 1}}}};
+    movie.animation.motion.framesPerSecond = 2;
+    movie.animation.motion.keys = {{0, Easing::linear, {{"layers[0].x", 0}}},
+                                   {1, Easing::linear, {{"layers[0].x", 1}}}};
     movie.options.size = {16, 12};
-    ASSERT_EQ(movie.animation.frames(), 3);
+    ASSERT_EQ(movie.animation.motion.frames(), 3);
     CpuRenderer renderer;
     Job job(1);
     const auto archive = renderArchive(renderer, movie, job);

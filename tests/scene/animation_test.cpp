@@ -12,10 +12,10 @@ namespace {
 Animation example() {
     Animation animation;
     animation.scene = sceneOf(*findMap("quadratic"));
-    animation.keys = {{1, Easing::linear, {{"c.re", 0}, {"slice.height", 4}}},
-                      {3, Easing::smooth, {{"c.re", 1}}},
-                      {5, Easing::hold, {{"c.re", -1}, {"slice.height", 0.01}}},
-                      {6, Easing::linear, {{"c.re", 2}}}};
+    animation.motion.keys = {{1, Easing::linear, {{"c.re", 0}, {"slice.height", 4}}},
+                             {3, Easing::smooth, {{"c.re", 1}}},
+                             {5, Easing::hold, {{"c.re", -1}, {"slice.height", 0.01}}},
+                             {6, Easing::linear, {{"c.re", 2}}}};
     return animation;
 }
 
@@ -33,7 +33,7 @@ TEST(AnimationTest, NumbersBetweenKeyFrames) {
     // Halfway in time a zoom is halfway in powers of ten; key frames between do not disturb it.
     EXPECT_NEAR(sceneAt(animation, 3).slice.height, 0.2, 1e-12);
     EXPECT_EQ(sceneAt(animation, 8).slice.height, 0.01);
-    EXPECT_EQ(animation.frames(), 181);
+    EXPECT_EQ(animation.motion.frames(), 181);
 }
 
 TEST(AnimationTest, EverythingThatMovesHasANameAndARange) {
@@ -68,12 +68,12 @@ TEST(AnimationTest, ARecordingReproducesTheHand) {
     };
     recorder.begin(moved(0), 100);
     for (double t = 1.0 / 60; t < 5; t += 1.0 / 60) recorder.take(moved(t), 100 + t);
-    const auto animation = recorder.finish();
-    ASSERT_TRUE(animation);
-    EXPECT_LT(animation->keys.size(), 60u);
-    for (const KeyFrame& key : animation->keys) EXPECT_FALSE(key.values.contains("c.im"));
+    const auto motion = recorder.finish();
+    ASSERT_TRUE(motion);
+    EXPECT_LT(motion->keys.size(), 60u);
+    for (const KeyFrame& key : motion->keys) EXPECT_FALSE(key.values.contains("c.im"));
     for (double t = 0; t < 4.9; t += 0.0173) {
-        const Scene is = sceneAt(*animation, t), was = moved(t);
+        const Scene is = sceneAt({scene, *motion}, t), was = moved(t);
         EXPECT_NEAR(is.parameters.at("c")[0], was.parameters.at("c")[0], 0.006) << t;
         // The first step of the zoom falls between two moments.
         EXPECT_NEAR(std::log2(is.slice.height), std::log2(was.slice.height), 0.1) << t;
@@ -89,7 +89,7 @@ TEST(AnimationTest, AsJsonAndBack) {
     const Json json = animationToJson(animation);
     const Expected<Animation> again = animationFromJson(json);
     ASSERT_TRUE(again) << again.status().message();
-    EXPECT_EQ(again->keys, animation.keys);
+    EXPECT_EQ(again->motion, animation.motion);
     EXPECT_EQ(animationToJson(*again), json);
 }
 

@@ -59,6 +59,8 @@ TEST(Help, EveryControlOfTheInspectorExplainsItself) {
     context.newMap("logistic");
     expectHelpEverywhere(gui, inspector, "logistic");
     context.newMap("shape-modulus");
+    context.workspace.view().layers.resize(2);
+    context.touch();
     expectHelpEverywhere(gui, inspector, "shape-modulus");
 }
 
@@ -71,6 +73,9 @@ TEST(Help, EveryControlOfTheOrbitStripExplainsItself) {
     context.newMap("logistic");
     context.strip = StudioContext::Strip::web;
     expectHelpEverywhere(gui, strip, "web");
+    context.setKey();
+    context.player.key = 0;
+    expectHelpEverywhere(gui, strip, "motion");
 }
 
 TEST(Orbit, StepsForwardAndBackAndGrowsAtItsEnd) {
