@@ -109,9 +109,9 @@ Status assign(PlateDocument& document, const Assignment& assignment) {
 }
 
 Expected<PlateFile> renderPlate(CpuRenderer& renderer, const PlateDocument& document, Job& job) {
-    const auto panels = std::count_if(
-        document.plate.panels.begin(), document.plate.panels.end(),
-        [](const PlatePanel& panel) { return panel.kind == PanelKind::scene; });
+    const auto panels =
+        std::count_if(document.plate.panels.begin(), document.plate.panels.end(),
+                      [](const PlatePanel& panel) { return panel.kind == PanelKind::scene; });
     Expected<PlatePicture> picture = layoutPlate(
         document.plate, document.options,
         scenePanels(renderer, document.assets, job, std::max(1, static_cast<int>(panels))));
