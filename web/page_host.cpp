@@ -17,6 +17,7 @@ EM_JS(void, page_js_request,
 EM_JS(void, page_js_export, (const char* document, const char* name, int copy), {
     Module.page.startExport(UTF8ToString(document), UTF8ToString(name), copy !== 0);
 });
+EM_JS(int, page_js_makes_films, (), { return Module.page.makesFilms() ? 1 : 0; });
 EM_JS(void, page_js_cancel_export, (), { Module.page.cancelExport(); });
 EM_JS(int, page_js_save, (const char* name, const unsigned char* bytes, int size), {
     return Module.page.save(UTF8ToString(name), HEAPU8.slice(bytes, bytes + size)) ? 1 : 0;
@@ -74,6 +75,8 @@ void PageHost::startExport(ExportRequest request) {
     progress_ = 0;
     page_js_export(request.document.c_str(), request.name.c_str(), request.toClipboard ? 1 : 0);
 }
+
+bool PageHost::makesFilms() const { return page_js_makes_films() != 0; }
 
 void PageHost::cancelExport() {
     if (progress_ < 0) return;

@@ -24,6 +24,7 @@ class PageHost : public Host {
 
     void startExport(ExportRequest request) override;
     void cancelExport() override;
+    bool makesFilms() const override;
     double exportProgress() const override { return progress_; }
     std::optional<Expected<std::string>> takeExport() override;
 

@@ -395,8 +395,7 @@ void StudioContext::beginExport(const ExportOptions& options, bool toClipboard) 
     const std::string name = workspace.view().map + (options.motion  ? film ? ".webm" : ".zip"
                                                      : options.plate ? "-plate.png"
                                                                      : ".png");
-    host.startExport(
-        {printJson(documentToJson(*document)), name, toClipboard, options.motion && film});
+    host.startExport({printJson(documentToJson(*document)), name, toClipboard});
     host.wake();
 }
 

@@ -43,7 +43,6 @@ struct ExportRequest {
     std::string document;      // JSON of a Document
     std::string name;          // proposed file name
     bool toClipboard = false;  // as an image; where that cannot be, as a file
-    bool film = false;         // of an animation: see Host::makesFilms
 };
 
 struct FolderEntry {
@@ -79,7 +78,7 @@ class Host {
     // file's path or "the clipboard", or what failed; ErrorKind::cancelled after cancelExport.
     virtual void startExport(ExportRequest request) = 0;
     virtual void cancelExport() = 0;
-    // Whether an animation can be made into a film of the host's own kind.
+    // Whether an animation becomes a film where the proposed name ends in ".webm".
     virtual bool makesFilms() const { return false; }
     virtual double exportProgress() const = 0;  // 0 … 1; negative while there is none
     virtual std::optional<Expected<std::string>> takeExport() = 0;

@@ -83,7 +83,7 @@ export class Address {
 }
 
 // The object that the module is made with. `studio()` is the module once it is there.
-export function makeHost({ studio, wake, address, pictures, exports }) {
+export function makeHost({ studio, wake, address, pictures, exports, makesFilms, giveUpFilm }) {
   const canvas = byId("canvas");
   let due = Infinity, timer = 0;
   let flat = null, image = null;
@@ -101,7 +101,11 @@ export function makeHost({ studio, wake, address, pictures, exports }) {
     },
     request: (request) => pictures().request(request),
     startExport: (document, name, copy) => exports().begin(document, name, copy),
-    cancelExport: () => exports().cancel(),
+    cancelExport() {
+      giveUpFilm();
+      exports().cancel();
+    },
+    makesFilms,
     save(name, bytes) {
       download(name, bytes);
       return true;

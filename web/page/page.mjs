@@ -4,6 +4,7 @@ import { Controls } from "./controls.mjs";
 import { Address, announce, copyPicture, download, hideMessage, makeHost, showMessage } from "./host.mjs";
 import { listen } from "./input.mjs";
 import { compileProgram, instantiation } from "./load.mjs";
+import { filmOf, makesFilms } from "./film.mjs";
 import { Export, Pictures } from "./tasks.mjs";
 
 const byId = (id) => document.getElementById(id);
@@ -65,7 +66,21 @@ function deliverPicture(request, { bytes, message = "", seconds = 0 }) {
   wake();
 }
 
+let film = null; // the one that is being recorded; another one once it is given up
+
 async function endExport(name, { bytes, message }, copy) {
+  if (bytes && name.endsWith(".webm")) {
+    const mine = (film = {});
+    try {
+      bytes = await filmOf(bytes, () => film === mine, (part) => {
+        studio._page_export_progress(part);
+        wake();
+      });
+    } catch (error) {
+      [bytes, message] = [undefined, `the browser did not record the film: ${error.message ?? error}`];
+    }
+    if (film !== mine) return;
+  }
   if (bytes && !copy) download(name, bytes);
   const where = bytes && copy ? await copyPicture(name, bytes) : `${name}, among your downloads`;
   studio.ccall("page_export_end", null, ["number", "string"],
@@ -184,7 +199,8 @@ async function begin() {
   pictures = new Pictures(start, deliverPicture);
   let module = null;
   const page = makeHost({
-    studio: () => module, wake, address, pictures: () => pictures, exports: () => exports,
+    studio: () => module, wake, address, pictures: () => pictures, exports: () => exports, makesFilms,
+    giveUpFilm: () => { film = null; },
   });
   module = await create({
     page, threads: 0, instantiateWasm: instantiation(program),
