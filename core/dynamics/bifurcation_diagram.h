@@ -5,6 +5,7 @@
 // parameter; the orbit starts at the slice's start or at the program's critical point.
 
 #include "dynamics/system.h"
+#include "image/raster.h"
 #include "jobs/job.h"
 
 namespace versorium {
@@ -19,7 +20,8 @@ struct DiagramOptions {
 };
 
 struct BifurcationDiagram {
-    // How often the orbits of a column visit a pixel: the mean number of visits over `points`.
+    // How often an orbit of the column visits a pixel in `points` steps, on the average; a visit
+    // is shared by the two pixels whose centres it lies between.
     Raster<float> visits;
     // Of the attracting cycle at the middle of each column: 0 where the orbit is bounded and no
     // cycle of at most 4096 points is found, -1 where the orbit escapes.
@@ -35,8 +37,8 @@ struct BifurcationDiagram {
 Status fillDiagram(const OrbitProgram& program, const DiagramOptions& options, int first, int count,
                    Job& job, BifurcationDiagram& diagram);
 
-// Visits as ink from 0 to 1, so that thin curves and the shading of chaotic bands both show:
-// 1 - exp(-k v / mean of the visited pixels of the whole diagram).
-Raster<float> inkOf(const BifurcationDiagram& diagram);
+// Visits as ink from 0 to 1, so that thin curves are dark and the shading of chaotic bands shows:
+// 1 - exp(-0.8 v), v = 1 where visits are spread evenly over the height.
+Raster<float> inkOf(const BifurcationDiagram& diagram, const DiagramOptions& options);
 
 }  // namespace versorium

@@ -18,11 +18,12 @@ struct CriticalSet {
 };
 
 struct CriticalSetOptions {
-    int across = 256;  // cells of the grid along the wider side of the window, 8 … 4096
+    int across = 256;  // cells of the grid along the wider side of the window, 8 … 2048
 };
 
 // Marching squares on det J at the nodes of a grid; each vertex is then put where det J = 0 along
-// its edge, by bisection to 1e-12 of a cell. ErrorKind::usage for maps that are not of the plane.
+// its edge, by bisection to 1e-12 of a cell; where det J jumps, as on the folds of the burning
+// ship, that is the fold. ErrorKind::usage for maps that are not of the plane.
 Expected<CriticalSet> criticalSet(const System& system, const Window& window,
                                   const CriticalSetOptions& options, Job& job);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // Stable and unstable manifolds of a saddle of a map of the plane: the points that come to it under
-// backward, and under forward iteration. The unstable one is grown from a short segment along the
+// forward, and under backward iteration. The unstable one is grown from a short segment along the
 // eigenvector, whose images cover the whole curve, with points added where images lie too far
 // apart. The stable one is the same under the inverse of the map, which is solved for by Newton's
 // method from the neighbouring point; it exists where the map is invertible (Hénon: det J = -b ≠

@@ -7,6 +7,7 @@
 
 #include "base/json.h"
 #include "maps/planar.h"
+#include "math/complex.h"
 
 namespace versorium {
 namespace {
@@ -142,6 +143,61 @@ std::optional<ComplexPolynomial> complexPolynomialOf(std::span<const double> num
         if (!(std::abs(back[k] - numbers[k]) <= kRounding * largest[degreeAt(k)]))
             return std::nullopt;
     return result;
+}
+
+std::vector<std::complex<double>> criticalPointsOf(const ComplexPolynomial& polynomial) {
+    using C = Complex<double>;
+    std::vector<C> slope;  // coefficients of the derivative
+    for (std::size_t n = 1; n < polynomial.k.size(); ++n)
+        slope.push_back(static_cast<double>(n) * C{polynomial.k[n].real(), polynomial.k[n].imag()});
+    while (!slope.empty() && squaredNorm(slope.back()) == 0) slope.pop_back();
+    if (slope.size() < 2) return {};
+    const std::size_t degree = slope.size() - 1;
+    // Durand and Kerner: all zeros at once, from a circle that holds them (Cauchy's bound).
+    double bound = 0;
+    for (std::size_t n = 0; n < degree; ++n)
+        bound = std::max(bound, std::sqrt(squaredNorm(slope[n] / slope[degree])));
+    const auto value = [&](const C& z) {
+        C sum = slope[degree];
+        for (std::size_t n = degree; n-- > 0;) sum = sum * z + slope[n];
+        return sum / slope[degree];
+    };
+    std::vector<C> z;
+    for (std::size_t n = 0; n < degree; ++n) {
+        const double angle =
+            0.4 + 6.28318530717958647692 * static_cast<double>(n) / static_cast<double>(degree);
+        z.push_back({(1 + bound) * cos(angle), (1 + bound) * sin(angle)});
+    }
+    for (int round = 0; round < 500; ++round) {
+        double moved = 0;
+        for (std::size_t i = 0; i < degree; ++i) {
+            C step = value(z[i]);
+            for (std::size_t k = 0; k < degree; ++k)
+                if (k != i) step = step / (z[i] - z[k]);
+            if (!(squaredNorm(step) < 1e300)) continue;
+            z[i] = z[i] - step;
+            moved = std::max(moved, squaredNorm(step));
+        }
+        if (moved < 1e-32 * (1 + bound) * (1 + bound)) break;
+    }
+    // A zero of order m is told apart from its copies to about rounding^(1/m); their mean is exact.
+    const double same = 3e-5 * (1 + bound);
+    std::vector<std::complex<double>> distinct;
+    std::vector<char> used(degree, 0);
+    for (std::size_t i = 0; i < degree; ++i) {
+        if (used[i]) continue;
+        C sum{0, 0};
+        double count = 0;
+        for (std::size_t k = i; k < degree; ++k)
+            if (!used[k] && squaredNorm(z[k] - z[i]) < same * same)
+                used[k] = 1, sum = sum + z[k], ++count;
+        distinct.emplace_back(sum.re / count, sum.im / count);
+    }
+    std::sort(distinct.begin(), distinct.end(), [](const auto& a, const auto& b) {
+        const auto cell = [](double x) { return std::floor(x * 1e8 + 0.5); };
+        return cell(a.real()) != cell(b.real()) ? a.real() < b.real() : a.imag() < b.imag();
+    });
+    return distinct;
 }
 
 std::string planarText(std::span<const double> numbers, int component,

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "maps/catalogue.h"
 
@@ -29,6 +30,10 @@ struct ComplexPolynomial {
 // the same degree.
 std::optional<ComplexPolynomial> complexPolynomialOf(std::span<const double> numbers);
 PlanarNumbers planarNumbersOf(const ComplexPolynomial& polynomial);
+
+// The zeros of its derivative, each once, by their real, then imaginary parts; none for degree 1,
+// and none for a constant, whose derivative vanishes everywhere.
+std::vector<std::complex<double>> criticalPointsOf(const ComplexPolynomial& polynomial);
 
 // Such as "x² − y² − 0.75" (component 0 is g, 1 is h); "0" for no terms. Where `names` has a text
 // for a coefficient, that stands in the place of its number: those on the axes of a picture.
