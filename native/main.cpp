@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
     versorium::addListCommands(line);
     versorium::addRenderCommands(line);
     versorium::addMeasureCommands(line);
+    versorium::addDynamicsCommands(line);
     versorium::addFileCommands(line);
 #if VERSORIUM_STUDIO
     versorium::addStudioCommand(line);

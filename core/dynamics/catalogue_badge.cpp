@@ -166,6 +166,12 @@ void answerAnalytic(CatalogueBadge& badge, const MapKernels& map, const Count& c
 
 }  // namespace
 
+const char* wordOf(CatalogueAnswer answer) {
+    constexpr const char* kWords[] = {"only_critical_orbit", "one_of_several", "not_critical",
+                                      "no_critical_point", "not_asked"};
+    return kWords[static_cast<int>(answer)];
+}
+
 CatalogueBadge catalogueBadge(const OrbitProgram& program, const double* centre, double halfWidth,
                               double halfHeight) {
     CatalogueBadge badge;

@@ -9,7 +9,6 @@
 #include <string>
 
 #include "fields/evaluate.h"
-#include "jobs/job.h"
 
 namespace versorium {
 
@@ -20,6 +19,9 @@ enum class CatalogueAnswer {
     noCriticalPoint,    // the map has none: det J vanishes nowhere (Hénon)
     notAsked,           // the picture varies the start, or the map is not one of line or plane
 };
+
+// "only_critical_orbit", "one_of_several", "not_critical", "no_critical_point", "not_asked".
+const char* wordOf(CatalogueAnswer answer);
 
 struct CatalogueBadge {
     CatalogueAnswer answer = CatalogueAnswer::notAsked;

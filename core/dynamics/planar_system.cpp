@@ -111,6 +111,14 @@ Polynomial derivative(const Polynomial& of, bool byX) {
 
 }  // namespace
 
+std::string planarCoefficientName(std::size_t k) {
+    assert(k < kPlanarNumbers);
+    constexpr const char* kNames[kEach] = {"a\u2081", "a\u2082", "a\u2083", "a\u2084", "b\u2081",
+                                           "b\u2082", "b\u2083", "b\u2084", "c\u2081", "c\u2082",
+                                           "c\u2083", "c\u2084", "d",       "e\u2081", "e\u2082"};
+    return std::string(kNames[k % kEach]) + (k < kEach ? "\u1d4d" : "\u02b0");
+}
+
 int ComplexPolynomial::degree() const {
     int n = 4;
     while (n > 0 && k[static_cast<std::size_t>(n)] == std::complex<double>(0, 0)) --n;

@@ -35,6 +35,8 @@ PlanarNumbers planarNumbersOf(const ComplexPolynomial& polynomial);
 // and none for a constant, whose derivative vanishes everywhere.
 std::vector<std::complex<double>> criticalPointsOf(const ComplexPolynomial& polynomial);
 
+// Of the k-th of the 30: "b₁ᵍ", "dʰ"; the optional terms x³y and xy³ are "e₁ᵍ" and "e₂ᵍ".
+std::string planarCoefficientName(std::size_t k);
 // Such as "x² − y² − 0.75" (component 0 is g, 1 is h); "0" for no terms. Where `names` has a text
 // for a coefficient, that stands in the place of its number: those on the axes of a picture.
 std::string planarText(std::span<const double> numbers, int component,

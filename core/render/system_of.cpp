@@ -73,6 +73,15 @@ Expected<OrbitProgram> programAlong(Binder& binder, const Scene& scene, const Sl
     return binder.bind(along, job);
 }
 
+Expected<CatalogueBadge> catalogueBadgeOf(Binder& binder, const Scene& scene, Job& job) {
+    Expected<OrbitProgram> program = binder.bind(scene, job);
+    if (!program) return program.status();
+    double centre[3] = {};
+    for (std::size_t k = 0; k < scene.slice.centre.size(); ++k) centre[k] = scene.slice.centre[k];
+    const double half = 0.5 * scene.slice.height;
+    return catalogueBadge(*program, centre, half * scene.aspect, half);
+}
+
 Window dynamicalWindow(const Scene& scene) {
     const MapInfo& info = mapOf(scene).info;
     double x = info.homeCentre[0], y = info.homeCentre[1], height = info.homeHeight;

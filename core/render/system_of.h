@@ -4,6 +4,7 @@
 // slice. Numbers on an axis of the slice take the values that the scene gives them: those are where
 // the ring stands in a picture of parameters.
 
+#include "dynamics/catalogue_badge.h"
 #include "dynamics/system.h"
 #include "render/bind.h"
 
@@ -17,6 +18,9 @@ Expected<System> systemOf(Binder& binder, const Scene& scene, Job& job);
 // over. ErrorKind::usage where the map has no such number or the axis moves the start.
 Expected<OrbitProgram> programAlong(Binder& binder, const Scene& scene, const SliceAxis& axis,
                                     Job& job);
+
+// Whether the scene's picture is a catalogue of Julia sets (A8).
+Expected<CatalogueBadge> catalogueBadgeOf(Binder& binder, const Scene& scene, Job& job);
 
 // The borders of the scene's dynamical plane: of its slice where that is one of starting points,
 // else the map's home view.
