@@ -231,7 +231,14 @@ std::string complexText(const ComplexPolynomial& polynomial) {
     std::string sum;
     for (int n = 4; n >= 0; --n) {
         const std::complex<double> k = polynomial.k[static_cast<std::size_t>(n)];
-        const std::string term = n == 0 ? "" : std::string("z") + superscript(n);
+        if (n == 0) {
+            // The constant ends the sum, so that it needs no brackets.
+            const std::string imaginary = numberText(std::abs(k.imag()));
+            if (k.real() != 0) append(sum, k.real() < 0, numberText(std::abs(k.real())));
+            if (k.imag() != 0) append(sum, k.imag() < 0, (imaginary == "1" ? "" : imaginary) + "i");
+            break;
+        }
+        const std::string term = std::string("z") + superscript(n);
         if (k.real() != 0 && k.imag() != 0) {
             const std::string imaginary = numberText(std::abs(k.imag()));
             const std::string both = numberText(std::abs(k.real())) +
@@ -242,8 +249,7 @@ std::string complexText(const ComplexPolynomial& polynomial) {
             const bool real = k.real() != 0;
             const double value = real ? k.real() : k.imag();
             const std::string size = numberText(std::abs(value));
-            const bool one = size == "1" && (!real || n > 0);
-            append(sum, value < 0, (one ? "" : size) + (real ? "" : "i") + term);
+            append(sum, value < 0, (size == "1" ? "" : size) + (real ? "" : "i") + term);
         }
     }
     return sum.empty() ? "0" : sum;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "plate/scene_panels.h"
 
+#include "dynamics/bifurcation_diagram.h"
 #include "io/document.h"
 #include "render/colouring.h"
+#include "render/system_of.h"
 #include "scene/numbers.h"
 
 namespace versorium {
@@ -159,6 +161,64 @@ Expected<PanelInfo> describeScene(CpuRenderer& renderer, const Scene& scene, Job
     return info;
 }
 
+Expected<PanelInfo> describeDiagram(CpuRenderer& renderer, const Scene& scene,
+                                    const DiagramPlot& plot, Job& job) {
+    Expected<OrbitProgram> program =
+        programAlong(renderer.binder(), scene, {{{plot.parameter, 1}}}, job);
+    if (!program) return program.status();
+    const MapInfo& info = program->map->info;
+    if (plot.component >= program->map->dimension)
+        return Status::usage("diagram.component: the map \"" + scene.map + "\" has points of " +
+                             std::to_string(program->map->dimension) + " numbers");
+    PanelInfo panel;
+    panel.aspect = plot.aspect;
+    panel.x = {axisName(plot.parameter), plot.from, plot.to};
+    panel.y = {axisName(stateComponent(info, plot.component)), plot.low, plot.high};
+    panel.facts = factsOf(scene, *program);
+    panel.facts["transient"] = std::to_string(plot.transient);
+    panel.facts["points"] = std::to_string(plot.points);
+    panel.description = "Bifurcation diagram: the attractor of " + std::string(info.title) + ", " +
+                        std::string(info.formula) + ", against " + plot.parameter + " from " +
+                        number(plot.from) + " to " + number(plot.to) + ".";
+    return panel;
+}
+
+Expected<DiagramPicture> drawDiagram(CpuRenderer& renderer, const Scene& scene,
+                                     const DiagramPlot& plot, Size pixels, Job& job) {
+    const Expected<OrbitProgram> program =
+        programAlong(renderer.binder(), scene, {{{plot.parameter, 1}}}, job);
+    if (!program) return program.status();
+    const DiagramOptions options{.left = plot.from,
+                                 .right = plot.to,
+                                 .low = plot.low,
+                                 .high = plot.high,
+                                 .component = plot.component,
+                                 .transient = plot.transient,
+                                 .points = plot.points,
+                                 .across = plot.across};
+    BifurcationDiagram diagram(pixels);
+    if (Status status = fillDiagram(*program, options, 0, pixels.width, job, diagram); !status.ok())
+        return status;
+    return DiagramPicture{inkOf(diagram, options), std::move(diagram.periods)};
+}
+
+Expected<std::array<double, 2>> locateScene(const Scene& scene, const Scene& other) {
+    std::array<double, 2> at{};
+    for (std::size_t k = 0; k < 2; ++k) {
+        if (k >= scene.slice.axes.size())
+            return Status::data("a picture with two axes is expected under marks");
+        const auto& [name, weight] = scene.slice.axes[k].terms.front();
+        const auto ref = numberNamed(other, name);
+        if (!ref)
+            return Status::data("the map \"" + other.map + "\" has no number named \"" + name +
+                                "\"");
+        const auto origin = scene.slice.origin.find(name);
+        const double start = origin == scene.slice.origin.end() ? 0 : origin->second;
+        at[k] = (numberValue(other, *ref) - start) / weight;
+    }
+    return at;
+}
+
 PanelSource scenePanels(CpuRenderer& renderer, const Json& assets, Job& job) {
     PanelSource source;
     source.describe = [&renderer, assets, &job](const Json& json) -> Expected<PanelInfo> {
@@ -175,6 +235,23 @@ PanelSource scenePanels(CpuRenderer& renderer, const Json& assets, Job& job) {
         if (Status status = renderer.render(*scene, pixels, options, job, frame); !status.ok())
             return status;
         return std::move(frame.colour);
+    };
+    source.describeDiagram = [&renderer, assets, &job](
+                                 const Json& json, const DiagramPlot& plot) -> Expected<PanelInfo> {
+        Expected<Scene> scene = sceneWithAssets(json, assets);
+        return scene ? describeDiagram(renderer, *scene, plot, job) : scene.status();
+    };
+    source.drawDiagram = [&renderer, assets, &job](const Json& json, const DiagramPlot& plot,
+                                                   Size pixels) -> Expected<DiagramPicture> {
+        Expected<Scene> scene = sceneWithAssets(json, assets);
+        return scene ? drawDiagram(renderer, *scene, plot, pixels, job) : scene.status();
+    };
+    source.locate = [assets](const Json& json,
+                             const Json& otherJson) -> Expected<std::array<double, 2>> {
+        Expected<Scene> scene = sceneWithAssets(json, assets);
+        if (!scene) return scene.status();
+        Expected<Scene> other = sceneWithAssets(otherJson, assets);
+        return other ? locateScene(*scene, *other) : other.status();
     };
     return source;
 }

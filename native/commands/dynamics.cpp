@@ -246,7 +246,7 @@ Status explain(const DynamicsRequest& request, int threads) {
     if (!badge) return badge.status();
     const MapInfo& info = system->map().info;
     Json json{{"map", scene.map}, {"title", std::string(info.title)}};
-    std::string text = std::string(info.title) + ": ";
+    std::string text = std::string(info.title) + ":";
     std::optional<ComplexPolynomial> polynomial;
     if (scene.map == "planar") {
         const auto names = slicedNames(scene);
@@ -260,7 +260,7 @@ Status explain(const DynamicsRequest& request, int threads) {
         if (polynomial) text += "\nAs a complex map: z \u21a6 " + complexText(*polynomial);
     } else {
         json["formula"] = std::string(info.formula);
-        text += std::string(info.formula);
+        text += " " + std::string(info.formula);
     }
     Json points = Json::array();
     std::string list;
