@@ -39,16 +39,17 @@ Sample sampleAt(const OrbitProgram& program, const double* coordinates) {
 
 struct Local {
     double determinant = 0;
-    double size = 0;        // of J: the sum of the squares of its entries
-    double difference = 0;  // from a multiplication by a complex number, squared
+    double size = 0;  // of J: the sum of the squares of its entries
+    // From a multiplication by a complex number, and by one after conjugation; squared.
+    double difference = 0, conjugate = 0;
 };
 Local localAt(const System& system, const double* point) {
     double at[2] = {point[0], system.dimension() == 2 ? point[1] : 0.0}, j[4] = {};
     system.stepWithJacobian(at, j);
-    if (system.dimension() == 1) return {j[0], 1 + j[0] * j[0], 0};
-    const double a = j[0] - j[3], b = j[1] + j[2];
+    if (system.dimension() == 1) return {j[0], 1 + j[0] * j[0], 0, 0};
+    const double a = j[0] - j[3], b = j[1] + j[2], c = j[0] + j[3], d = j[1] - j[2];
     return {j[0] * j[3] - j[1] * j[2], j[0] * j[0] + j[1] * j[1] + j[2] * j[2] + j[3] * j[3],
-            a * a + b * b};
+            a * a + b * b, c * c + d * d};
 }
 
 bool isCritical(const Sample& sample, bool analytic) {
@@ -60,15 +61,24 @@ bool isCritical(const Sample& sample, bool analytic) {
 
 bool isPlanar(const System& system) { return system.map().info.name == "planar"; }
 
-bool isAnalytic(const System& system) {
-    if (system.dimension() == 1) return true;
-    if (isPlanar(system)) return complexPolynomialOf(system.parameters()).has_value();
+// The polynomial that a planar map is; of its complex conjugate where that is asked for.
+std::optional<ComplexPolynomial> polynomialOf(const System& system, bool conjugate) {
+    std::vector<double> numbers = system.parameters();
+    if (conjugate)
+        for (std::size_t k = numbers.size() / 2; k < numbers.size(); ++k) numbers[k] = -numbers[k];
+    return complexPolynomialOf(numbers);
+}
+
+bool isAnalytic(const System& system, bool conjugate) {
+    if (system.dimension() == 1) return !conjugate;
+    if (isPlanar(system)) return polynomialOf(system, conjugate).has_value();
     // Elsewhere the equations are asked at points, away from poles and axes.
     Random random(17);
     for (int i = 0; i < 12; ++i) {
         const double at[2] = {random.uniform(-2, 2), random.uniform(-2, 2)};
         const Local local = localAt(system, at);
-        if (std::isfinite(local.size) && !(local.difference <= 1e-14 * local.size)) return false;
+        const double difference = conjugate ? local.conjugate : local.difference;
+        if (std::isfinite(local.size) && !(difference <= 1e-14 * local.size)) return false;
     }
     return true;
 }
@@ -77,10 +87,10 @@ bool isAnalytic(const System& system) {
 struct Count {
     int all = 0, free = 0;
 };
-Count countCritical(const System& system) {
+Count countCritical(const System& system, bool conjugate) {
     std::vector<PlanePoint> points;
     if (isPlanar(system)) {
-        const auto polynomial = complexPolynomialOf(system.parameters());
+        const auto polynomial = polynomialOf(system, conjugate);
         for (const auto& z : criticalPointsOf(*polynomial)) points.push_back({z.real(), z.imag()});
     } else {
         for (int k = 0; k < kMostCritical; ++k) {
@@ -130,9 +140,11 @@ void say(CatalogueBadge& badge, CatalogueAnswer answer, std::string label, std::
 }
 
 void answerAnalytic(CatalogueBadge& badge, const MapKernels& map, const Count& count,
-                    bool everywhere, bool somewhere) {
+                    bool everywhere, bool somewhere, bool fixed) {
     badge.criticalPoints = count.all;
     const bool line = map.dimension == 1;
+    const std::string kind = badge.conjugate ? "The map is the complex conjugate of an analytic one"
+                                             : "The map is complex-analytic";
     if (count.all == 0 && !somewhere)
         return say(
             badge, CatalogueAnswer::noCriticalPoint, "no critical point",
@@ -148,18 +160,24 @@ void answerAnalytic(CatalogueBadge& badge, const MapKernels& map, const Count& c
         return say(badge, CatalogueAnswer::onlyCriticalOrbit, "the only critical orbit",
                    "The orbit starts at the critical point of a map of the line: where a cycle "
                    "attracts, it attracts this orbit (Singer, for these families).");
+    if (fixed && count.free > 0)
+        return say(badge, CatalogueAnswer::oneOfSeveral, "a critical point that is fixed",
+                   "The orbit starts at a critical point that the map fixes for all of these "
+                   "parameters: it stays wherever the others go.");
     if (count.free <= 1 && count.all <= 1)
         return say(badge, CatalogueAnswer::onlyCriticalOrbit, "the only critical orbit",
-                   "The map is complex-analytic and the orbit starts at its only critical point: "
-                   "the picture is a catalogue, with connected Julia sets exactly where the orbit "
-                   "stays bounded (Fatou and Julia).");
+                   kind +
+                       " and the orbit starts at its only critical point: the picture is a "
+                       "catalogue, with connected Julia sets exactly where the orbit "
+                       "stays bounded (Fatou and Julia).");
     if (count.free <= 1)
         return say(badge, CatalogueAnswer::onlyCriticalOrbit, "the only free critical orbit",
-                   "The map is complex-analytic, and its other critical points are fixed: the "
-                   "orbit of the only free one decides what its Julia sets are like.");
+                   kind +
+                       ", and its other critical points are fixed: the orbit of the only free one "
+                       "decides what its Julia sets are like.");
     say(badge, CatalogueAnswer::oneOfSeveral,
         "one of " + std::to_string(count.free) + " critical orbits",
-        "The map is complex-analytic and has " + std::to_string(count.free) +
+        kind + " and has " + std::to_string(count.free) +
             " free critical points, of which the picture follows one: where its orbit escapes the "
             "Julia set is not connected, where it stays the other orbits decide as well.");
 }
@@ -201,8 +219,9 @@ CatalogueBadge catalogueBadge(const OrbitProgram& program, const double* centre,
     const Sample middle = sampleAt(program, centre);
     badge.start = middle.start;
     badge.determinant = localAt(middle.system, middle.start.data()).determinant;
-    badge.analytic = true;
-    bool everywhere = true, somewhere = false, exists = true, constant = isPlanar(middle.system);
+    badge.analytic = badge.conjugate = true;
+    bool everywhere = true, somewhere = false, exists = true, fixed = true;
+    bool constant = isPlanar(middle.system), invertible = false;
     Count count;
     const std::size_t axes = program.slice.axes.size();
     for (int row = 0; row < (axes > 1 ? kAcross : 1); ++row)
@@ -213,26 +232,35 @@ CatalogueBadge catalogueBadge(const OrbitProgram& program, const double* centre,
                 axes > 1 ? centre[1] + halfHeight * (2.0 * row / (kAcross - 1) - 1) : 0.0,
                 axes > 2 ? centre[2] : 0.0};
             const Sample sample = sampleAt(program, at);
-            badge.analytic = badge.analytic && isAnalytic(sample.system);
-            const bool critical = isCritical(sample, badge.analytic);
+            badge.analytic = badge.analytic && isAnalytic(sample.system, false);
+            badge.conjugate = badge.conjugate && isAnalytic(sample.system, true);
+            const bool complex = badge.analytic || badge.conjugate;
+            const bool critical = isCritical(sample, complex);
             everywhere = everywhere && critical;
             somewhere = somewhere || critical;
             exists = exists && sample.exists;
+            double image[2] = {sample.start[0], dimension > 1 ? sample.start[1] : 0.0};
+            sample.system.step(image);
+            for (std::size_t k = 0; k < dimension; ++k)
+                fixed = fixed && std::abs(image[k] - sample.start[k]) < 1e-7;
             for (std::size_t k = 0; k < dimension; ++k)
                 badge.startMoves =
                     badge.startMoves || std::abs(sample.start[k] - middle.start[k]) > 1e-9;
-            if (constant && determinantKind(sample.system) != Determinant::constant)
-                constant = false;
-            if (!badge.analytic) continue;
-            const Count own = countCritical(sample.system);
+            if (constant) {
+                const Determinant kind = determinantKind(sample.system);
+                constant = kind != Determinant::varies;
+                invertible = invertible || kind == Determinant::constant;
+            }
+            if (!complex) continue;
+            const Count own = countCritical(sample.system, !badge.analytic);
             count.all = std::max(count.all, own.all);
             count.free = std::max(count.free, own.free);
         }
-    if (constant) {
+    if (constant && invertible) {
         say(badge, CatalogueAnswer::noCriticalPoint, "no critical point",
-            "The determinant of the Jacobian is the same number other than 0 everywhere, as for "
-            "Hénon's map, so that the map has no critical point: the picture shows where one orbit "
-            "stays bounded and is no catalogue of Julia sets.");
+            "det J is the same number at every point, as for Hénon's map, so that the map has no "
+            "critical point wherever it is not 0: the picture shows where one orbit stays bounded "
+            "and is no catalogue of Julia sets.");
         return badge;
     }
     if (!exists) {
@@ -241,8 +269,10 @@ CatalogueBadge catalogueBadge(const OrbitProgram& program, const double* centre,
             "picture.");
         return badge;
     }
-    if (badge.analytic) {
-        answerAnalytic(badge, map, count, everywhere, somewhere);
+    // A constant is both; it counts as analytic.
+    badge.conjugate = badge.conjugate && !badge.analytic;
+    if (badge.analytic || badge.conjugate) {
+        answerAnalytic(badge, map, count, everywhere, somewhere, fixed);
         return badge;
     }
     badge.criticalPoints = -1;

@@ -26,6 +26,7 @@ const char* wordOf(CatalogueAnswer answer);
 struct CatalogueBadge {
     CatalogueAnswer answer = CatalogueAnswer::notAsked;
     bool analytic = false;      // the Cauchy-Riemann equations hold in the whole picture
+    bool conjugate = false;     // those of the complex conjugate do: conj(z)² + c, the tricorn
     int criticalPoints = 0;     // distinct ones at the centre; -1: a curve of them
     double determinant = 0;     // det J at the start, at the centre
     std::vector<double> start;  // at the centre

@@ -281,14 +281,12 @@ Status explain(const DynamicsRequest& request, int threads) {
     json["critical_points"] = points;
     if (!list.empty()) text += "\nCritical points: " + list;
     text += "\nCatalogue of Julia sets: " + badge->label + ". " + badge->sentence + "\n";
-    json["catalogue"] = Json{{"answer", wordOf(badge->answer)},
-                             {"label", badge->label},
-                             {"sentence", badge->sentence},
-                             {"analytic", badge->analytic},
-                             {"critical_points", badge->criticalPoints},
-                             {"determinant", badge->determinant},
-                             {"start", badge->start},
-                             {"start_moves", badge->startMoves}};
+    json["catalogue"] =
+        Json{{"answer", wordOf(badge->answer)},   {"label", badge->label},
+             {"sentence", badge->sentence},       {"analytic", badge->analytic},
+             {"conjugate", badge->conjugate},     {"critical_points", badge->criticalPoints},
+             {"determinant", badge->determinant}, {"start", badge->start},
+             {"start_moves", badge->startMoves}};
     return print(request.json ? printJson(json) : text);
 }
 

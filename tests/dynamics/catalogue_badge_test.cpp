@@ -46,6 +46,12 @@ TEST(CatalogueBadge, OnlyCriticalOrbit) {
     OrbitProgram logistic = programOf("logistic", {}, {{"r"}}, 100, 16);
     logistic.slice.origin[0] = 0.5;
     EXPECT_EQ(badgeOf(logistic).answer, CatalogueAnswer::onlyCriticalOrbit);
+    // The tricorn: conj(z)² + c is no analytic map, but its second iterate is.
+    const auto tricorn = badgeOf(programOf("planar", {{"h.c1", -2}}, kConstants, 100, 2));
+    EXPECT_EQ(tricorn.answer, CatalogueAnswer::onlyCriticalOrbit);
+    EXPECT_FALSE(tricorn.analytic);
+    EXPECT_TRUE(tricorn.conjugate);
+    EXPECT_FALSE(mandelbrot.conjugate);
     // z³ + a z² fixes its critical point 0, and -2a/3 is the only free one; it moves with a.
     ComplexPolynomial fixed;
     fixed.k[3] = 1;
@@ -60,6 +66,9 @@ TEST(CatalogueBadge, OnlyCriticalOrbit) {
     const auto moving = badgeOf(family, 0.5);
     EXPECT_EQ(moving.answer, CatalogueAnswer::onlyCriticalOrbit) << moving.sentence;
     EXPECT_EQ(moving.criticalPoints, 2);
+    // From the fixed one nothing is seen.
+    family.critical.reset();
+    EXPECT_EQ(badgeOf(family, 0.5).label, "a critical point that is fixed");
 }
 
 TEST(CatalogueBadge, OneOfSeveral) {
