@@ -51,6 +51,7 @@ class Composer {
 
     Expected<PlatePicture> compose() {
         if (Status status = describe(); !status.ok()) return status;
+        if (Status status = overlay(); !status.ok()) return status;
         if (Status status = placeMarks(); !status.ok()) return status;
         if (Status status = substitute(); !status.ok()) return status;
         width_ = std::floor(options_.widthMillimetres * m_.millimetre + 0.5);
@@ -121,6 +122,40 @@ class Composer {
                  .text = "period " + std::to_string(diagram.periods[k])});
         if (!diagram.periods.empty())
             contents_.back().legend.push_back({.colour = theme_.text, .line = {}, .text = "other"});
+    }
+
+    Status overlay() {
+        for (std::size_t i = 0; i < plate_.panels.size(); ++i) {
+            const PlatePanel& panel = plate_.panels[i];
+            const auto& [x, y] = infoAxes_[i];
+            if (panel.overlay.empty() || !x || !y) continue;
+            Expected<std::vector<OverlayPart>> parts = source_.overlay(panel.scene, panel.overlay);
+            if (!parts) return parts.status().in("panel " + panel.name + ": overlay");
+            PanelContent& content = contents_[i];
+            for (std::size_t k = 0; k < parts->size(); ++k) {
+                const OverlayPart& part = (*parts)[k];
+                PanelCurves drawn{seriesLook(theme_, k), part.points, {}};
+                for (const auto& curve : part.curves) {
+                    drawn.curves.emplace_back();
+                    for (const auto& point : curve)
+                        drawn.curves.back().push_back({(point[0] - x->low) / (x->high - x->low),
+                                                       (point[1] - y->low) / (y->high - y->low)});
+                }
+                if (panel.keys) {
+                    SeriesLook solid = drawn.look;
+                    solid.dashes.clear();
+                    content.legend.push_back({.colour = solid.colour,
+                                              .line = solid,
+                                              .stroke = !part.points,
+                                              .points = part.points,
+                                              .text = part.name});
+                }
+                descriptions_[i] += (k == 0 ? " Over it: " : ", ") + part.name +
+                                    (k + 1 == parts->size() ? "." : "");
+                content.overlay.push_back(std::move(drawn));
+            }
+        }
+        return {};
     }
 
     // Marks stand where other panels' parameters lie, in this panel and before those panels'

@@ -32,6 +32,7 @@ class Builder {
                                    Canvas& canvas, double dx, double dy) {
                 drawPlot(canvas, *content->plot, *content, frame.moved(dx, dy), m, theme);
             });
+        for (const PanelCurves& part : content_.overlay) overlaid(part);
         for (const PanelMark& mark : content_.marks) marked(mark);
         double nameTop = 0;
         std::string name;
@@ -76,6 +77,27 @@ class Builder {
             canvas.strokeRect(box.moved(dx, dy), width, colour);
         });
     }
+    void overlaid(const PanelCurves& part) {
+        const double width = 0.55 * m_.plotLine, radius = 0.3 * m_.label;
+        sheet_.mark({0, 0, width_, height_}, [=, &part, w = width_, h = height_, theme = theme_](
+                                                 Canvas& canvas, double dx, double dy) {
+            for (const std::vector<Point>& curve : part.curves) {
+                std::vector<Point> pixels;
+                for (const Point& p : curve) pixels.push_back({dx + p.x * w, dy + (1 - p.y) * h});
+                if (!part.points) {
+                    canvas.polyline(pixels, width, part.look.colour);
+                    continue;
+                }
+                for (const Point& p : pixels) {
+                    drawMarker(canvas, part.look.marker, p, 1.5 * radius, theme.background,
+                               theme.background);
+                    drawMarker(canvas, part.look.marker, p, radius, part.look.colour,
+                               theme.background);
+                }
+            }
+        });
+    }
+
     // A marker on a rim of the background, so that it shows on any picture, and its label on a
     // ground of its own. Both are cut at the picture's border by standing inside it.
     void marked(const PanelMark& mark) {

@@ -32,6 +32,13 @@ struct PanelMark {
     std::string label;  // markup
 };
 
+// Curves or points over the picture, in shares of its sides from the lower left corner.
+struct PanelCurves {
+    SeriesLook look;
+    bool points = false;
+    std::vector<std::vector<Point>> curves;
+};
+
 struct LegendRow {
     Colour colour;  // a swatch, unless it is a line of a plot:
     std::optional<SeriesLook> line;
@@ -49,6 +56,7 @@ struct PanelContent {
     std::vector<LegendRow> legend;
     const LinePlot* plot = nullptr;  // drawn by the panel itself
     std::vector<PanelMark> marks;
+    std::vector<PanelCurves> overlay;
     std::optional<SeriesLook> sign;  // before the title: the mark that stands for this panel
 };
 

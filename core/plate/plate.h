@@ -68,6 +68,17 @@ struct PlateMark {
     friend bool operator==(const PlateMark&, const PlateMark&) = default;
 };
 
+// What is drawn over a dynamical plane: cycles up to a period, the manifolds of saddles among those
+// up to another one, and the critical set (core/dynamics).
+struct PlateOverlay {
+    int cycles = 0, manifolds = 0;  // periods; 0: none
+    double length = 20;             // of each branch of a manifold, in heights of the panel
+    bool criticalSet = false;
+
+    bool empty() const { return cycles == 0 && manifolds == 0 && !criticalSet; }
+    friend bool operator==(const PlateOverlay&, const PlateOverlay&) = default;
+};
+
 enum class PanelKind { scene, plot, diagram };
 
 struct PlatePanel {
@@ -83,6 +94,7 @@ struct PlatePanel {
     LinePlot plot;
     DiagramPlot diagram;           // of the panel's scene
     std::vector<PlateMark> marks;  // on a scene
+    PlateOverlay overlay;          // on a scene
 
     bool hasScene() const { return kind != PanelKind::plot; }
     friend bool operator==(const PlatePanel&, const PlatePanel&) = default;
@@ -133,6 +145,13 @@ struct DiagramPicture {
     std::vector<int> periods;  // of each column; 0: no cycle, -1: escapes
 };
 
+// Curves and points of a panel, in the units of its axes; all of one kind have one look.
+struct OverlayPart {
+    std::string name;  // for the legend
+    bool points = false;
+    std::vector<std::vector<std::array<double, 2>>> curves;  // or one list of points
+};
+
 // How scenes become pictures; the renderer's side of the seam.
 struct PanelSource {
     // Checks the scene and says all of the above, ranges of colour bars included.
@@ -147,6 +166,9 @@ struct PanelSource {
     // Where the parameters of `other` lie on the first two axes of `scene`.
     std::function<Expected<std::array<double, 2>>(const Json& scene, const Json& other)> locate =
         {};
+    // One part for each kind of curve or point. ErrorKind::usage where the scene is no dynamical plane.
+    std::function<Expected<std::vector<OverlayPart>>(const Json& scene, const PlateOverlay&)>
+        overlay = {};
 };
 
 struct PlateOptions {

@@ -119,6 +119,15 @@ void readMarks(ObjectReader& reader, const std::string& path, PlatePanel& panel)
     }
 }
 
+Status readOverlay(const Json& value, const std::string& path, PlateOverlay& overlay) {
+    ObjectReader reader(value, path);
+    reader.integer("cycles", overlay.cycles, 0, 16)
+        .integer("manifolds", overlay.manifolds, 0, 8)
+        .number("length", overlay.length, 0.01, 1000)
+        .boolean("critical_set", overlay.criticalSet);
+    return reader.finish();
+}
+
 bool goodName(const std::string& name) {
     if (name.empty() || name.size() > 20) return false;
     for (const char c : name)
@@ -161,6 +170,11 @@ Status readPanel(const Json& value, const std::string& path, PlatePanel& panel) 
         reader.fail("diagram", "the diagram is missing");
     }
     readMarks(reader, path, panel);
+    if (const Json* overlay = reader.child("overlay")) {
+        if (panel.kind != PanelKind::scene)
+            reader.fail("overlay", "only a panel of kind \"scene\" has one");
+        reader.fail(readOverlay(*overlay, reader.pathOf("overlay"), panel.overlay));
+    }
     return reader.finish();
 }
 
@@ -232,6 +246,10 @@ Json panelToJson(const PlatePanel& panel) {
     for (const PlateMark& mark : panel.marks)
         marks.push_back(Json{{"of", mark.of}, {"label", mark.label}});
     value["marks"] = std::move(marks);
+    value["overlay"] = Json{{"cycles", panel.overlay.cycles},
+                            {"manifolds", panel.overlay.manifolds},
+                            {"length", panel.overlay.length},
+                            {"critical_set", panel.overlay.criticalSet}};
     return value;
 }
 

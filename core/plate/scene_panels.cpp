@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "plate/scene_panels.h"
 
+#include <algorithm>
+
 #include "dynamics/bifurcation_diagram.h"
+#include "dynamics/critical_set.h"
+#include "dynamics/manifolds.h"
 #include "io/document.h"
 #include "render/colouring.h"
 #include "render/system_of.h"
@@ -219,6 +223,60 @@ Expected<std::array<double, 2>> locateScene(const Scene& scene, const Scene& oth
     return at;
 }
 
+Expected<std::vector<OverlayPart>> overlayOf(CpuRenderer& renderer, const Scene& scene,
+                                             const PlateOverlay& overlay, Job& job) {
+    if (mapOf(scene).dimension != 2 || !isDynamicalPlane(scene))
+        return Status::usage("only a plane of starting points has cycles and curves over it");
+    Expected<System> system = systemOf(renderer.binder(), scene, job);
+    if (!system) return system.status();
+    const double half = 0.5 * scene.slice.height, across = half * scene.aspect;
+    const double x = scene.slice.centre[0], y = scene.slice.centre[1];
+    const Window window{x - across, x + across, y - half, y + half};
+    std::vector<OverlayPart> parts;
+    const auto add = [&](const char* name, bool points, std::vector<Polyline> curves) {
+        if (!curves.empty() && !curves[0].empty())
+            parts.push_back({name, points, std::move(curves)});
+    };
+    CycleSearch found;
+    if (const int period = std::max(overlay.cycles, overlay.manifolds); period > 0) {
+        Expected<CycleSearch> search = findCycles(*system, window, {.maxPeriod = period}, job);
+        if (!search) return search.status();
+        found = *std::move(search);
+    }
+    std::vector<Polyline> stable, unstable;
+    for (const PeriodicCycle& cycle : found.cycles) {
+        if (cycle.kind != CycleKind::saddle || cycle.period > overlay.manifolds) continue;
+        Expected<SaddleManifolds> both =
+            manifoldsOf(*system, cycle, window, {.length = overlay.length}, job);
+        if (!both) return both.status();
+        unstable.insert(unstable.end(), both->unstable.curves.begin(), both->unstable.curves.end());
+        if (both->stable)
+            stable.insert(stable.end(), both->stable->curves.begin(), both->stable->curves.end());
+    }
+    add("stable manifold", false, std::move(stable));
+    add("unstable manifold", false, std::move(unstable));
+    if (overlay.criticalSet) {
+        Expected<CriticalSet> set = criticalSet(*system, window, {}, job);
+        if (!set) return set.status();
+        const bool isolated = set->curves.empty();
+        add("det J = 0", isolated, isolated ? std::vector<Polyline>{set->points} : set->curves);
+    }
+    for (CycleKind kind :
+         {CycleKind::attracting, CycleKind::saddle, CycleKind::repelling, CycleKind::neutral}) {
+        Polyline points;
+        for (const PeriodicCycle& cycle : found.cycles)
+            if (cycle.kind == kind && cycle.period <= overlay.cycles)
+                for (const PlanePoint& point : cycle.points)
+                    if (window.contains(point[0], point[1])) points.push_back(point);
+        add(kind == CycleKind::attracting  ? "attracting cycle"
+            : kind == CycleKind::saddle    ? "saddle"
+            : kind == CycleKind::repelling ? "repelling cycle"
+                                           : "neutral cycle",
+            true, {points});
+    }
+    return parts;
+}
+
 PanelSource scenePanels(CpuRenderer& renderer, const Json& assets, Job& job) {
     PanelSource source;
     source.describe = [&renderer, assets, &job](const Json& json) -> Expected<PanelInfo> {
@@ -245,6 +303,12 @@ PanelSource scenePanels(CpuRenderer& renderer, const Json& assets, Job& job) {
                                                    Size pixels) -> Expected<DiagramPicture> {
         Expected<Scene> scene = sceneWithAssets(json, assets);
         return scene ? drawDiagram(renderer, *scene, plot, pixels, job) : scene.status();
+    };
+    source.overlay = [&renderer, assets, &job](
+                         const Json& json,
+                         const PlateOverlay& overlay) -> Expected<std::vector<OverlayPart>> {
+        Expected<Scene> scene = sceneWithAssets(json, assets);
+        return scene ? overlayOf(renderer, *scene, overlay, job) : scene.status();
     };
     source.locate = [assets](const Json& json,
                              const Json& otherJson) -> Expected<std::array<double, 2>> {

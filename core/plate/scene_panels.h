@@ -20,6 +20,9 @@ Expected<DiagramPicture> drawDiagram(CpuRenderer& renderer, const Scene& scene,
 // Coordinates on the first two axes of `scene` of the parameters of `other`: by the first number of
 // each axis. ErrorKind::data where `other` has no such number.
 Expected<std::array<double, 2>> locateScene(const Scene& scene, const Scene& other);
+// Cycles, manifolds and critical set over a dynamical plane.
+Expected<std::vector<OverlayPart>> overlayOf(CpuRenderer& renderer, const Scene& scene,
+                                             const PlateOverlay& overlay, Job& job);
 // A sentence about the picture, plain text: map, parameters, plane, rule of colour.
 std::string sceneSentence(const Scene& scene);
 

@@ -6,10 +6,8 @@
 #include "scene/numbers.h"
 
 namespace versorium {
-namespace {
 
-// Whether the axes of the slice are the first components of the state, each by itself.
-bool slicesState(const Scene& scene) {
+bool isDynamicalPlane(const Scene& scene) {
     const MapKernels& map = mapOf(scene);
     const std::size_t wanted = map.dimension == 1 ? 1 : 2;
     if (scene.slice.axes.size() < wanted) return false;
@@ -21,8 +19,6 @@ bool slicesState(const Scene& scene) {
     }
     return true;
 }
-
-}  // namespace
 
 Expected<OrbitProgram> fixedProgram(Binder& binder, const Scene& scene, Job& job) {
     Expected<OrbitProgram> program = binder.bind(scene, job);
@@ -85,7 +81,7 @@ Expected<CatalogueBadge> catalogueBadgeOf(Binder& binder, const Scene& scene, Jo
 Window dynamicalWindow(const Scene& scene) {
     const MapInfo& info = mapOf(scene).info;
     double x = info.homeCentre[0], y = info.homeCentre[1], height = info.homeHeight;
-    if (slicesState(scene)) {
+    if (isDynamicalPlane(scene)) {
         x = scene.slice.centre[0];
         y = scene.slice.centre.size() > 1 ? scene.slice.centre[1] : 0;
         height = scene.slice.height;

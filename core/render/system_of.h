@@ -22,6 +22,9 @@ Expected<OrbitProgram> programAlong(Binder& binder, const Scene& scene, const Sl
 // Whether the scene's picture is a catalogue of Julia sets (A8).
 Expected<CatalogueBadge> catalogueBadgeOf(Binder& binder, const Scene& scene, Job& job);
 
+// Whether the first two axes (the first one, on the line) are the components of the state, each by
+// itself: then the picture's coordinates are those of points of the system.
+bool isDynamicalPlane(const Scene& scene);
 // The borders of the scene's dynamical plane: of its slice where that is one of starting points,
 // else the map's home view.
 Window dynamicalWindow(const Scene& scene);

@@ -267,6 +267,10 @@ class BadInput(CommandLine):
                                "diagram": {"parameter": "x", "from": 0, "to": 1}}]}
         self.refused(USAGE, "plate", self.write("d.json", json.dumps(diagram)), *self.out(),
                      says=("panel a", "start"))
+        over = {"panels": [{"scene": {"map": "quadratic", "slice": {"axes": [{"c.re": 1},
+                {"c.im": 1}]}}, "overlay": {"cycles": 1}}]}
+        self.refused(USAGE, "plate", self.write("o.json", json.dumps(over)), *self.out(),
+                     says=("panel a", "overlay", "starting points"))
         diagram["panels"][0]["diagram"]["parameter"] = "q"
         self.refused(USAGE, "plate", self.write("d.json", json.dumps(diagram)), *self.out(),
                      says=("panel a", "\"q\""))

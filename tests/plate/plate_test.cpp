@@ -54,6 +54,13 @@ PanelSource fakeSource() {
         for (int x = 0; x < size.width; ++x) picture.periods.push_back(2 * x < size.width ? 1 : 0);
         return picture;
     };
+    source.overlay = [](const Json&,
+                        const PlateOverlay& overlay) -> Expected<std::vector<OverlayPart>> {
+        if (overlay.criticalSet) return Status::usage("no critical set here");
+        // A line across the picture, and its middle.
+        return std::vector<OverlayPart>{{"a curve", false, {{{-2, -0.5}, {1, -0.5}}}},
+                                        {"a point", true, {{{-0.5, 0.5}}}}};
+    };
     source.locate = [](const Json&, const Json& other) -> Expected<std::array<double, 2>> {
         if (!other.contains("at")) return Status::data("it lies nowhere");
         return std::array<double, 2>{other["at"][0].get<double>(), other["at"][1].get<double>()};
@@ -223,6 +230,31 @@ TEST(Plate, MarksStandForOtherPanels) {
     EXPECT_EQ(lost.status().message(), "panel a: mark of b: it lies nowhere");
 }
 
+TEST(Plate, CurvesAndPointsLieOverTheirScene) {
+    const Plate plate = readPlate(R"({"panels": [{"scene": {}, "overlay": {"cycles": 2}}]})");
+    const auto picture = layoutPlate(plate, {}, fakeSource());
+    ASSERT_TRUE(picture.ok()) << picture.status().message();
+    const auto bare =
+        layoutPlate(readPlate(R"({"panels": [{"scene": {}, "keys": false}]})"), {}, fakeSource());
+    const Box* frame = boxNamed(*picture, "a/picture");
+    const auto pixel = [&](double x, double y, int k) {
+        return picture->pixels.at(static_cast<int>(frame->left + x * frame->width()),
+                                  static_cast<int>(frame->bottom - y * frame->height()), k);
+    };
+    // The fake picture is grey: what is not lies over it.
+    const auto coloured = [&](double x, double y) { return pixel(x, y, 0) != pixel(x, y, 2); };
+    EXPECT_TRUE(coloured(0.3, 0.5));
+    EXPECT_TRUE(coloured(0.5, 2.5 / 3));
+    EXPECT_FALSE(coloured(0.3, 0.7));
+    EXPECT_NE(boxNamed(*picture, "a/swatch 2"), nullptr);
+    EXPECT_NE(picture->alternativeText.find("Over it: a curve, a point."), std::string::npos);
+    EXPECT_EQ(bare->alternativeText.find("Over it"), std::string::npos);
+    const auto refused =
+        layoutPlate(readPlate(R"({"panels": [{"scene": {}, "overlay": {"critical_set": true}}]})"),
+                    {}, fakeSource());
+    EXPECT_EQ(refused.status().message(), "panel a: overlay: no critical set here");
+}
+
 TEST(Plate, DiagramsAreInkInTheColoursOfPeriods) {
     const Plate plate = readPlate(R"({"panels": [{"kind": "diagram", "scene": {},
         "diagram": {"parameter": "r", "from": 3, "to": 4, "aspect": 2, "periods": [1, 3]}}]})");
@@ -245,6 +277,8 @@ TEST(Plate, DiagramsAreInkInTheColoursOfPeriods) {
 TEST(Plate, GoesThroughJsonUnchanged) {
     std::vector<Plate> plates = samplePlates();
     plates.push_back(markedPlate("[0, 0]"));
+    plates.push_back(readPlate(R"({"panels": [{"scene": {}, "overlay": {"cycles": 3,
+        "manifolds": 2, "length": 1.5, "critical_set": true}}]})"));
     plates.push_back(readPlate(R"({"panels": [{"kind": "diagram", "scene": {"alpha": 2},
         "diagram": {"parameter": "r", "from": 3, "to": 4, "periods": [2, 1]}}]})"));
     for (const Plate& plate : plates) {
@@ -285,6 +319,9 @@ TEST(Plate, FaultsHaveTheirPath) {
     EXPECT_NE(fault(R"({"panels": [{"scene": {}, "marks": [{"of": "z"}]}]})").find("\"z\""),
               std::string::npos);
     EXPECT_NE(fault(R"({"panels": [{"scene": {}, "marks": [{"of": "a"}]}]})").find("no other"),
+              std::string::npos);
+    EXPECT_NE(fault(R"({"panels": [{"scene": {}, "overlay": {"cycles": 99}}]})")
+                  .find("panels[0].overlay.cycles"),
               std::string::npos);
     EXPECT_NE(fault(R"({"panels": [{"scene": {}, "diagram": {}}]})").find("diagram"),
               std::string::npos);
