@@ -47,6 +47,7 @@ int main(int argc, char** argv) {
     versorium::addRenderCommands(line);
     versorium::addAnimateCommand(line);
     versorium::addMeasureCommands(line);
+    versorium::addDynamicsCommands(line);
     versorium::addFileCommands(line);
 #if VERSORIUM_STUDIO
     versorium::addStudioCommand(line);

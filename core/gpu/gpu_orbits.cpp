@@ -9,6 +9,7 @@
 #include "maps/critical.h"
 #include "render/bind.h"
 #include "render/glsl/shader.h"
+#include "trace/specialise.h"
 
 namespace versorium {
 namespace {
@@ -166,6 +167,19 @@ Tape recordShape(const ShapeTree& shape, std::vector<float>& numbers) {
     return tape;
 }
 
+// The map's step without the terms whose coefficients are 0 in the whole picture, where that saves
+// much: every other set of terms is a shader of its own, which takes time to compile.
+Tape stepOf(const MapKernels& map, const std::vector<Affine>& numbers) {
+    Tape whole = map.trace();
+    std::vector<char> zero;
+    for (int k = 0; k < map.parameters; ++k) {
+        const Affine& number = numbers[static_cast<std::size_t>(map.dimension + k)];
+        zero.push_back(number.middle == 0 && number.right == 0 && number.up == 0);
+    }
+    Tape special = specialise(whole, zero);
+    return 2 * special.nodes.size() < whole.nodes.size() ? special : whole;
+}
+
 Status checkLists(const OrbitProgram& program, const GpuLimits& limits) {
     for (const BoundList& list : program.lists)
         if (list.size() > static_cast<std::size_t>(limits.textureSize))
@@ -250,8 +264,8 @@ Expected<GpuOrbits> GpuOrbits::make(const Scene& scene, const OrbitProgram& prog
     if (static_cast<int>(orbits.numbers.size() / 4 + orbits.shapeNumbers.size()) + kOtherUniforms >
         limits.uniformVectors)
         return refused("it takes more numbers than the graphics processor has room for");
-    orbits.shaderText =
-        iterationShader(program.map->trace(), analytic ? &shape : nullptr, kAttractionDifference);
+    orbits.shaderText = iterationShader(stepOf(*program.map, numbers), analytic ? &shape : nullptr,
+                                        kAttractionDifference);
     return orbits;
 }
 

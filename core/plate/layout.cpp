@@ -51,6 +51,8 @@ class Composer {
 
     Expected<PlatePicture> compose() {
         if (Status status = describe(); !status.ok()) return status;
+        if (Status status = overlay(); !status.ok()) return status;
+        if (Status status = placeMarks(); !status.ok()) return status;
         if (Status status = substitute(); !status.ok()) return status;
         width_ = std::floor(options_.widthMillimetres * m_.millimetre + 0.5);
         margin_ = std::floor(m_.margin);
@@ -96,13 +98,94 @@ class Composer {
                 contents_.push_back(plotContent(panel.plot, theme_));
                 info.description = describePlot(panel.plot);
             } else {
-                Expected<PanelInfo> described = source_.describe(panel.scene);
+                Expected<PanelInfo> described =
+                    panel.kind == PanelKind::diagram
+                        ? source_.describeDiagram(panel.scene, panel.diagram)
+                        : source_.describe(panel.scene);
                 if (!described) return described.status().in("panel " + panel.name);
                 info = *std::move(described);
                 contents_.push_back(sceneContent(panel, info));
+                if (panel.kind == PanelKind::diagram && panel.keys) diagramLegend(panel.diagram);
             }
+            infoAxes_.emplace_back(info.x, info.y);
             facts_.push_back({panel.name, info.facts});
             descriptions_.push_back(info.description);
+        }
+        return {};
+    }
+
+    void diagramLegend(const DiagramPlot& diagram) {
+        for (std::size_t k = 0; k < diagram.periods.size(); ++k)
+            contents_.back().legend.push_back(
+                {.colour = seriesLook(theme_, k).colour,
+                 .line = {},
+                 .text = "period " + std::to_string(diagram.periods[k])});
+        if (!diagram.periods.empty())
+            contents_.back().legend.push_back({.colour = theme_.text, .line = {}, .text = "other"});
+    }
+
+    Status overlay() {
+        for (std::size_t i = 0; i < plate_.panels.size(); ++i) {
+            const PlatePanel& panel = plate_.panels[i];
+            const auto& [x, y] = infoAxes_[i];
+            if (panel.overlay.empty() || !x || !y) continue;
+            Expected<std::vector<OverlayPart>> parts = source_.overlay(panel.scene, panel.overlay);
+            if (!parts) return parts.status().in("panel " + panel.name + ": overlay");
+            PanelContent& content = contents_[i];
+            for (std::size_t k = 0; k < parts->size(); ++k) {
+                const OverlayPart& part = (*parts)[k];
+                PanelCurves drawn{seriesLook(theme_, k), part.points, {}};
+                for (const auto& curve : part.curves) {
+                    drawn.curves.emplace_back();
+                    for (const auto& point : curve)
+                        drawn.curves.back().push_back({(point[0] - x->low) / (x->high - x->low),
+                                                       (point[1] - y->low) / (y->high - y->low)});
+                }
+                if (panel.keys) {
+                    SeriesLook solid = drawn.look;
+                    solid.dashes.clear();
+                    content.legend.push_back({.colour = solid.colour,
+                                              .line = solid,
+                                              .stroke = !part.points,
+                                              .points = part.points,
+                                              .text = part.name});
+                }
+                descriptions_[i] += (k == 0 ? " Over it: " : ", ") + part.name +
+                                    (k + 1 == parts->size() ? "." : "");
+                content.overlay.push_back(std::move(drawn));
+            }
+        }
+        return {};
+    }
+
+    // Marks stand where other panels' parameters lie, in this panel and before those panels'
+    // titles.
+    Status placeMarks() {
+        for (std::size_t i = 0; i < plate_.panels.size(); ++i) {
+            const PlatePanel& panel = plate_.panels[i];
+            for (std::size_t k = 0; k < panel.marks.size(); ++k) {
+                const auto of = std::find_if(
+                    plate_.panels.begin(), plate_.panels.end(),
+                    [&](const PlatePanel& other) { return other.name == panel.marks[k].of; });
+                if (of == plate_.panels.end())
+                    return Status::usage("panel " + panel.name + ": no panel is named \"" +
+                                         panel.marks[k].of + "\"");
+                Expected<std::array<double, 2>> at = source_.locate(panel.scene, of->scene);
+                if (!at) return at.status().in("panel " + panel.name + ": mark of " + of->name);
+                const SeriesLook look = seriesLook(theme_, k);
+                contents_[static_cast<std::size_t>(of - plate_.panels.begin())].sign = look;
+                PanelContent& content = contents_[i];
+                descriptions_[i] += std::string(k == 0 ? " Marked: " : ", ") + "(" + of->name +
+                                    ") at (" + formatNumber((*at)[0], 6) + ", " +
+                                    formatNumber((*at)[1], 6) + ")" +
+                                    (k + 1 == panel.marks.size() ? "." : "");
+                const auto& x = infoAxes_[i].first;
+                const auto& y = infoAxes_[i].second;
+                if (x && y)
+                    content.marks.push_back({((*at)[0] - x->low) / (x->high - x->low),
+                                             ((*at)[1] - y->low) / (y->high - y->low), look,
+                                             panel.marks[k].label});
+            }
         }
         return {};
     }
@@ -166,9 +249,11 @@ class Composer {
         const int all = static_cast<int>(plate_.panels.size());
         for (std::size_t i = 0; i < plate_.panels.size(); ++i) {
             const PlatePanel& panel = plate_.panels[i];
-            if (panel.kind == PanelKind::scene) {
+            if (panel.hasScene()) {
                 const Expected<Raster<float>> picture =
-                    source_.draw(panel.scene, grid.pictures[i], m_.lineWidth);
+                    panel.kind == PanelKind::diagram
+                        ? drawDiagram(panel, grid.pictures[i])
+                        : source_.draw(panel.scene, grid.pictures[i], m_.lineWidth);
                 if (!picture) return picture.status().in("panel " + panel.name);
                 if (picture->size() != grid.pictures[i] || picture->channels() != 4)
                     return Status::usage("panel " + panel.name +
@@ -180,6 +265,29 @@ class Composer {
             if (options_.onPanel) options_.onPanel(static_cast<int>(i) + 1, all);
         }
         return {};
+    }
+
+    // Ink in the colour of texts, or of the period of the column.
+    Expected<Raster<float>> drawDiagram(const PlatePanel& panel, Size size) const {
+        const DiagramPlot& diagram = panel.diagram;
+        const Expected<DiagramPicture> drawn = source_.drawDiagram(panel.scene, diagram, size);
+        if (!drawn) return drawn.status();
+        Raster<float> picture(drawn->ink.size(), 4);
+        for (int x = 0; x < picture.width(); ++x) {
+            const auto known = std::find(diagram.periods.begin(), diagram.periods.end(),
+                                         drawn->periods[static_cast<std::size_t>(x)]);
+            const Colour colour =
+                known == diagram.periods.end()
+                    ? theme_.text
+                    : seriesLook(theme_, static_cast<std::size_t>(known - diagram.periods.begin()))
+                          .colour;
+            for (int y = 0; y < picture.height(); ++y) {
+                const float parts[] = {static_cast<float>(colour.r), static_cast<float>(colour.g),
+                                       static_cast<float>(colour.b), drawn->ink.at(x, y)};
+                for (int k = 0; k < 4; ++k) picture.at(x, y, k) = parts[k];
+            }
+        }
+        return picture;
     }
 
     std::string alternative() const {
@@ -202,6 +310,7 @@ class Composer {
     double width_ = 0, margin_ = 0;
     std::vector<PanelContent> contents_;
     std::vector<PanelFacts> facts_;
+    std::vector<std::pair<std::optional<AxisInfo>, std::optional<AxisInfo>>> infoAxes_;
     std::vector<std::string> descriptions_, titles_;
     std::string title_, caption_, note_;
 };

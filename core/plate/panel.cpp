@@ -32,6 +32,8 @@ class Builder {
                                    Canvas& canvas, double dx, double dy) {
                 drawPlot(canvas, *content->plot, *content, frame.moved(dx, dy), m, theme);
             });
+        for (const PanelCurves& part : content_.overlay) overlaid(part);
+        for (const PanelMark& mark : content_.marks) marked(mark);
         double nameTop = 0;
         std::string name;
         if (content_.x) name = horizontalAxis(*content_.x, nameTop);
@@ -75,6 +77,60 @@ class Builder {
             canvas.strokeRect(box.moved(dx, dy), width, colour);
         });
     }
+    void overlaid(const PanelCurves& part) {
+        const double width = 0.55 * m_.plotLine, radius = 0.3 * m_.label;
+        sheet_.mark({0, 0, width_, height_}, [=, &part, w = width_, h = height_, theme = theme_](
+                                                 Canvas& canvas, double dx, double dy) {
+            for (const std::vector<Point>& curve : part.curves) {
+                std::vector<Point> pixels;
+                for (const Point& p : curve) pixels.push_back({dx + p.x * w, dy + (1 - p.y) * h});
+                if (!part.points) {
+                    canvas.polyline(pixels, width, part.look.colour);
+                    continue;
+                }
+                for (const Point& p : pixels) {
+                    drawMarker(canvas, part.look.marker, p, 1.5 * radius, theme.background,
+                               theme.background);
+                    drawMarker(canvas, part.look.marker, p, radius, part.look.colour,
+                               theme.background);
+                }
+            }
+        });
+    }
+
+    // A marker on a rim of the background, so that it shows on any picture, and its label on a
+    // ground of its own. Both are cut at the picture's border by standing inside it.
+    void marked(const PanelMark& mark) {
+        if (!(mark.x >= 0 && mark.x <= 1 && mark.y >= 0 && mark.y <= 1)) return;
+        const double radius = 0.42 * m_.label;
+        const double reach = 2.0 * radius;
+        if (width_ < 3 * reach || height_ < 3 * reach) return;
+        const Point at{std::clamp(mark.x * width_, reach, width_ - reach),
+                       std::clamp((1 - mark.y) * height_, reach, height_ - reach)};
+        const TextBlock block = layoutText(mark.label, style(m_.tick, Face::sansBold));
+        const double gap = 0.2 * m_.tick;
+        const double wide = block.ink.width() + 2 * gap, high = kCapHeight * m_.tick + 2 * gap;
+        // To the upper right, else to the left or below where there is no room.
+        const double left =
+            at.x + reach + wide <= width_ ? at.x + 0.8 * reach : at.x - 0.8 * reach - wide;
+        const double top =
+            at.y - 0.4 * reach - high >= 0 ? at.y - 0.4 * reach - high : at.y + 0.4 * reach;
+        const Box ground{std::floor(left), std::floor(top), std::ceil(left + wide),
+                         std::ceil(top + high)};
+        sheet_.mark({0, 0, width_, height_}, [=, look = mark.look, theme = theme_](
+                                                 Canvas& canvas, double dx, double dy) {
+            const Point centre{at.x + dx, at.y + dy};
+            if (block.lines > 0) {
+                canvas.fillRect(ground.moved(dx, dy), theme.background);
+                canvas.text(block, dx + left + gap - block.ink.left,
+                            dy + top + high - gap - block.baseline, theme.text);
+            }
+            drawMarker(canvas, look.marker, centre, 1.55 * radius, theme.background,
+                       theme.background);
+            drawMarker(canvas, look.marker, centre, radius, look.colour, theme.background);
+        });
+    }
+
     double tickLength(const Tick& tick) const {
         return tick.label.empty() ? std::floor(0.6 * m_.tickLength + 0.5) : m_.tickLength;
     }
@@ -288,7 +344,9 @@ class Builder {
     void heading() {
         const double right = std::max({width_, sheet_.extent().right, headingRight_});
         const TextBlock letter = layoutText(content_.letter, style(m_.header, Face::sansBold));
-        const double indent = letter.lines == 0 ? 0 : std::ceil(letter.width + 0.6 * m_.header);
+        double indent = letter.lines == 0 ? 0 : std::ceil(letter.width + 0.6 * m_.header);
+        const double signRadius = 0.34 * m_.header, signMiddle = indent + 1.3 * signRadius;
+        if (content_.sign) indent += std::ceil(2.6 * signRadius + 0.5 * m_.header);
         const TextBlock title =
             layoutText(content_.title, style(m_.header), std::max(m_.header, right - indent));
         if (letter.lines + title.lines == 0) return;
@@ -303,6 +361,16 @@ class Builder {
         if (letter.lines > 0) put("letter", letter, 0, top + first - letter.baseline, theme_.text);
         if (title.lines > 0)
             put("heading", title, indent, top + first - title.baseline, theme_.text);
+        if (!content_.sign) return;
+        const Point at{signMiddle, top + first - 0.5 * kCapHeight * m_.header};
+        const double reach = 1.3 * signRadius;
+        const Box box{at.x - reach, at.y - reach, at.x + reach, at.y + reach};
+        sheet_.reserve("sign", box);
+        sheet_.mark(
+            box, [=, look = *content_.sign, theme = theme_](Canvas& canvas, double dx, double dy) {
+                drawMarker(canvas, look.marker, {at.x + dx, at.y + dy}, signRadius, look.colour,
+                           theme.background);
+            });
     }
 
     const PanelContent& content_;

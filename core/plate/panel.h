@@ -25,6 +25,20 @@ struct SeriesLook {
     int marker = 0;
 };
 
+// A marked point of the picture.
+struct PanelMark {
+    double x = 0, y = 0;  // shares of the picture's width and height, from its lower left corner
+    SeriesLook look;
+    std::string label;  // markup
+};
+
+// Curves or points over the picture, in shares of its sides from the lower left corner.
+struct PanelCurves {
+    SeriesLook look;
+    bool points = false;
+    std::vector<std::vector<Point>> curves;
+};
+
 struct LegendRow {
     Colour colour;  // a swatch, unless it is a line of a plot:
     std::optional<SeriesLook> line;
@@ -41,6 +55,9 @@ struct PanelContent {
     bool versorKey = false;
     std::vector<LegendRow> legend;
     const LinePlot* plot = nullptr;  // drawn by the panel itself
+    std::vector<PanelMark> marks;
+    std::vector<PanelCurves> overlay;
+    std::optional<SeriesLook> sign;  // before the title: the mark that stands for this panel
 };
 
 // The heading may reach as far as headingRight, or as far as anything else does. The content must
@@ -53,6 +70,9 @@ PanelContent plotContent(const LinePlot& plot, const Theme& theme);
 SeriesLook seriesLook(const Theme& theme, std::size_t index);
 void drawPlot(Canvas& canvas, const LinePlot& plot, const PanelContent& content, const Box& frame,
               const Metrics& metrics, const Theme& theme);
+// The marker of a look: filled, of about this radius.
+void drawMarker(Canvas& canvas, int marker, Point at, double radius, const Colour& colour,
+                const Colour& background);
 // A short piece of the line, for the legend.
 void drawSample(Canvas& canvas, const LegendRow& row, const Box& box, const Metrics& metrics,
                 const Theme& theme);

@@ -2,14 +2,15 @@
 #pragma once
 // A plate is a figure for print or projection: a grid of lettered panels with axes, colour bars and
 // keys, a title, a caption and a last line in small type. A panel shows a scene, which this room
-// knows only as JSON and has drawn by a PanelSource, or a line plot. The whole layout follows from
-// measured text: nothing overlaps and nothing is clipped, at any width and resolution, and no
-// letter is smaller than 6 pt.
+// knows only as JSON and has drawn by a PanelSource, a bifurcation diagram of one, or a line plot.
+// The whole layout follows from measured text: nothing overlaps and nothing is clipped, at any
+// width and resolution, and no letter is smaller than 6 pt.
 //
 // Texts are markup (plate/markup.h). {name} in a title or caption is replaced by a fact of the
 // panels: {alpha} by that of the first panel that has it, {b.alpha} by that of panel b; in a
 // panel's own title by its own fact.
 
+#include <array>
 #include <functional>
 #include <map>
 #include <optional>
@@ -45,7 +46,40 @@ struct LinePlot {
     friend bool operator==(const LinePlot&, const LinePlot&) = default;
 };
 
-enum class PanelKind { scene, plot };
+// The attractor of the scene's map against one of its parameters (dynamics/bifurcation_diagram.h).
+struct DiagramPlot {
+    double aspect = 1.6;      // width / height
+    std::string parameter;    // name of a number of the scene: "r", "g.a2"
+    double from = 0, to = 1;  // of it, left to right
+    int component = 0;        // of the state, bottom to top:
+    double low = 0, high = 1;
+    int transient = 2000, points = 1000;  // steps before anything is drawn, and drawn
+    int across = 3;                       // values of the parameter in each column of pixels
+    // Columns where the attractor is a cycle of one of these periods take the colours of lines.
+    std::vector<int> periods;
+    friend bool operator==(const DiagramPlot&, const DiagramPlot&) = default;
+};
+
+// A point of a panel in the colour and shape of lines, by order: where the parameters of another
+// panel's scene lie on the axes of this one. That panel's heading shows the same sign.
+struct PlateMark {
+    std::string of;     // name of the panel
+    std::string label;  // markup, beside the point; may be empty
+    friend bool operator==(const PlateMark&, const PlateMark&) = default;
+};
+
+// What is drawn over a dynamical plane: cycles up to a period, the manifolds of saddles among those
+// up to another one, and the critical set (core/dynamics).
+struct PlateOverlay {
+    int cycles = 0, manifolds = 0;  // periods; 0: none
+    double length = 20;             // of each branch of a manifold, in heights of the panel
+    bool criticalSet = false;
+
+    bool empty() const { return cycles == 0 && manifolds == 0 && !criticalSet; }
+    friend bool operator==(const PlateOverlay&, const PlateOverlay&) = default;
+};
+
+enum class PanelKind { scene, plot, diagram };
 
 struct PlatePanel {
     std::string name;   // a letter or a word: how --set and facts reach it; by default a, b, c …
@@ -58,6 +92,11 @@ struct PlatePanel {
     std::string xLabel, yLabel, barLabel;
     Json scene = Json::object();
     LinePlot plot;
+    DiagramPlot diagram;           // of the panel's scene
+    std::vector<PlateMark> marks;  // on a scene
+    PlateOverlay overlay;          // on a scene
+
+    bool hasScene() const { return kind != PanelKind::plot; }
     friend bool operator==(const PlatePanel&, const PlatePanel&) = default;
 };
 
@@ -65,6 +104,7 @@ struct Plate {
     static constexpr int kVersion = 1;
     static constexpr std::size_t kPanelLimit = 26;
     static constexpr std::size_t kPointLimit = 100000;  // of all lines of one panel
+    static constexpr std::size_t kMarkLimit = 6;        // of one panel
 
     std::string title, caption, note;
     int columns = 0;  // 0: by the number of panels
@@ -100,6 +140,18 @@ struct PanelInfo {
     std::map<std::string, std::string> facts;  // markup, for captions: {"alpha": "6"}
 };
 
+struct DiagramPicture {
+    Raster<float> ink;         // one channel, 0 … 1
+    std::vector<int> periods;  // of each column; 0: no cycle, -1: escapes
+};
+
+// Curves and points of a panel, in the units of its axes; all of one kind have one look.
+struct OverlayPart {
+    std::string name;  // for the legend
+    bool points = false;
+    std::vector<std::vector<std::array<double, 2>>> curves;  // or one list of points
+};
+
 // How scenes become pictures; the renderer's side of the seam.
 struct PanelSource {
     // Checks the scene and says all of the above, ranges of colour bars included.
@@ -107,6 +159,17 @@ struct PanelSource {
     // Linear straight-alpha RGBA of exactly this size, row 0 on top. Outlines are to be
     // lineWidth pixels wide.
     std::function<Expected<Raster<float>>(const Json& scene, Size pixels, double lineWidth)> draw;
+    // The same of a bifurcation diagram.
+    std::function<Expected<PanelInfo>(const Json& scene, const DiagramPlot&)> describeDiagram = {};
+    std::function<Expected<DiagramPicture>(const Json& scene, const DiagramPlot&, Size pixels)>
+        drawDiagram = {};
+    // Where the parameters of `other` lie on the first two axes of `scene`.
+    std::function<Expected<std::array<double, 2>>(const Json& scene, const Json& other)> locate =
+        {};
+    // One part for each kind of curve or point. ErrorKind::usage where the scene is no dynamical
+    // plane.
+    std::function<Expected<std::vector<OverlayPart>>(const Json& scene, const PlateOverlay&)>
+        overlay = {};
 };
 
 struct PlateOptions {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 
 #include "plate/markup.h"
@@ -74,6 +75,59 @@ Status readPlot(const Json& value, const std::string& path, LinePlot& plot) {
     return reader.finish();
 }
 
+Status readDiagram(const Json& value, const std::string& path, DiagramPlot& diagram) {
+    ObjectReader reader(value, path);
+    std::vector<double> periods;
+    reader.number("aspect", diagram.aspect, 0.2, 8)
+        .text("parameter", diagram.parameter)
+        .number("from", diagram.from, -1e9, 1e9)
+        .number("to", diagram.to, -1e9, 1e9)
+        .integer("component", diagram.component, 0, 3)
+        .number("low", diagram.low, -1e9, 1e9)
+        .number("high", diagram.high, -1e9, 1e9)
+        .integer("transient", diagram.transient, 0, 1000000)
+        .integer("points", diagram.points, 1, 1000000)
+        .integer("across", diagram.across, 1, 16)
+        .numbers("periods", periods, 0, 6);
+    for (double period : periods) {
+        if (!(period >= 1 && period <= 4096) || period != std::floor(period))
+            reader.fail("periods", "whole numbers from 1 to 4096 are expected");
+        else
+            diagram.periods.push_back(static_cast<int>(period));
+    }
+    if (diagram.parameter.empty()) reader.fail("parameter", "the name of a number is expected");
+    if (!(diagram.from < diagram.to)) reader.fail("to", "it must be above \"from\"");
+    if (!(diagram.low < diagram.high)) reader.fail("high", "it must be above \"low\"");
+    return reader.finish();
+}
+
+void readMarks(ObjectReader& reader, const std::string& path, PlatePanel& panel) {
+    const Json* marks = reader.child("marks");
+    if (!marks) return;
+    if (!marks->is_array() || marks->size() > Plate::kMarkLimit)
+        return reader.fail("marks", "a list of at most " + std::to_string(Plate::kMarkLimit) +
+                                        " marks {\"of\": \"panel\"} is expected");
+    if (!marks->empty() && panel.kind != PanelKind::scene)
+        return reader.fail("marks", "only a panel of kind \"scene\" has them");
+    for (std::size_t i = 0; i < marks->size(); ++i) {
+        PlateMark mark;
+        ObjectReader one((*marks)[i], path + ".marks[" + std::to_string(i) + "]");
+        one.text("of", mark.of);
+        readMarkup(one, "label", mark.label);
+        reader.fail(one.finish());
+        panel.marks.push_back(std::move(mark));
+    }
+}
+
+Status readOverlay(const Json& value, const std::string& path, PlateOverlay& overlay) {
+    ObjectReader reader(value, path);
+    reader.integer("cycles", overlay.cycles, 0, 16)
+        .integer("manifolds", overlay.manifolds, 0, 8)
+        .number("length", overlay.length, 0.01, 1000)
+        .boolean("critical_set", overlay.criticalSet);
+    return reader.finish();
+}
+
 bool goodName(const std::string& name) {
     if (name.empty() || name.size() > 20) return false;
     for (const char c : name)
@@ -86,8 +140,10 @@ bool goodName(const std::string& name) {
 Status readPanel(const Json& value, const std::string& path, PlatePanel& panel) {
     ObjectReader reader(value, path);
     std::string kind = "scene";
-    reader.text("name", panel.name).word("kind", kind, {"scene", "plot"});
-    panel.kind = kind == "plot" ? PanelKind::plot : PanelKind::scene;
+    reader.text("name", panel.name).word("kind", kind, {"scene", "plot", "diagram"});
+    panel.kind = kind == "plot"      ? PanelKind::plot
+                 : kind == "diagram" ? PanelKind::diagram
+                                     : PanelKind::scene;
     reader.integer("span", panel.span, 1, 6);
     reader.boolean("axes", panel.axes).boolean("keys", panel.keys);
     readMarkup(reader, "title", panel.title);
@@ -98,13 +154,26 @@ Status readPanel(const Json& value, const std::string& path, PlatePanel& panel) 
     if (const Json* scene = reader.child("scene")) {
         if (panel.kind == PanelKind::plot) reader.fail("scene", "a plot has no scene");
         panel.scene = *scene;
-    } else if (panel.kind == PanelKind::scene) {
+    } else if (panel.hasScene()) {
         reader.fail("scene", "the scene is missing");
     }
     if (const Json* plot = reader.child("plot")) {
-        if (panel.kind == PanelKind::scene)
+        if (panel.kind != PanelKind::plot)
             reader.fail("plot", "only a panel of kind \"plot\" has one");
         reader.fail(readPlot(*plot, reader.pathOf("plot"), panel.plot));
+    }
+    if (const Json* diagram = reader.child("diagram")) {
+        if (panel.kind != PanelKind::diagram)
+            reader.fail("diagram", "only a panel of kind \"diagram\" has one");
+        reader.fail(readDiagram(*diagram, reader.pathOf("diagram"), panel.diagram));
+    } else if (panel.kind == PanelKind::diagram) {
+        reader.fail("diagram", "the diagram is missing");
+    }
+    readMarks(reader, path, panel);
+    if (const Json* overlay = reader.child("overlay")) {
+        if (panel.kind != PanelKind::scene)
+            reader.fail("overlay", "only a panel of kind \"scene\" has one");
+        reader.fail(readOverlay(*overlay, reader.pathOf("overlay"), panel.overlay));
     }
     return reader.finish();
 }
@@ -138,11 +207,29 @@ Json plotToJson(const LinePlot& plot) {
     return value;
 }
 
+Json diagramToJson(const DiagramPlot& diagram) {
+    Json value;
+    value["aspect"] = diagram.aspect;
+    value["parameter"] = diagram.parameter;
+    value["from"] = diagram.from;
+    value["to"] = diagram.to;
+    value["component"] = diagram.component;
+    value["low"] = diagram.low;
+    value["high"] = diagram.high;
+    value["transient"] = diagram.transient;
+    value["points"] = diagram.points;
+    value["across"] = diagram.across;
+    value["periods"] = diagram.periods;
+    return value;
+}
+
 Json panelToJson(const PlatePanel& panel) {
     Json value;
     value["name"] = panel.name;
     value["title"] = panel.title;
-    value["kind"] = panel.kind == PanelKind::plot ? "plot" : "scene";
+    value["kind"] = panel.kind == PanelKind::plot      ? "plot"
+                    : panel.kind == PanelKind::diagram ? "diagram"
+                                                       : "scene";
     value["span"] = panel.span;
     value["axes"] = panel.axes;
     value["keys"] = panel.keys;
@@ -153,6 +240,16 @@ Json panelToJson(const PlatePanel& panel) {
         value["plot"] = plotToJson(panel.plot);
     else
         value["scene"] = panel.scene;
+    if (panel.kind == PanelKind::diagram) value["diagram"] = diagramToJson(panel.diagram);
+    if (panel.kind != PanelKind::scene) return value;
+    Json marks = Json::array();
+    for (const PlateMark& mark : panel.marks)
+        marks.push_back(Json{{"of", mark.of}, {"label", mark.label}});
+    value["marks"] = std::move(marks);
+    value["overlay"] = Json{{"cycles", panel.overlay.cycles},
+                            {"manifolds", panel.overlay.manifolds},
+                            {"length", panel.overlay.length},
+                            {"critical_set", panel.overlay.criticalSet}};
     return value;
 }
 
@@ -188,6 +285,15 @@ Expected<Plate> plateFromJson(const Json& value) {
         plate.panels.push_back(std::move(panel));
     }
     if (Status status = reader.finish(); !status.ok()) return status;
+    for (const PlatePanel& panel : plate.panels)
+        for (const PlateMark& mark : panel.marks) {
+            const auto of =
+                std::find_if(plate.panels.begin(), plate.panels.end(),
+                             [&](const PlatePanel& other) { return other.name == mark.of; });
+            if (of == plate.panels.end() || of->kind != PanelKind::scene || &*of == &panel)
+                return Status::data("panel " + panel.name + ": marks: \"" + mark.of +
+                                    "\" is no other panel with a scene");
+        }
     return plate;
 }
 

@@ -24,7 +24,7 @@ Status assignPanel(PlateDocument& document, PlatePanel& panel, const Assignment&
 Json assetsInUse(const PlateDocument& document) {
     Json used = Json::object();
     for (const PlatePanel& panel : document.plate.panels)
-        if (panel.kind == PanelKind::scene) {
+        if (panel.hasScene()) {
             Expected<Scene> scene = sceneWithAssets(panel.scene, document.assets);
             if (scene) withoutAssets(sceneToJson(*scene), used);
         }
@@ -54,7 +54,7 @@ Expected<PlateDocument> plateFromDocument(const Document& document) {
     if (const Status status = reader.finish(); !status.ok()) return status;
     for (std::size_t i = 0; i < result.plate.panels.size(); ++i) {
         PlatePanel& panel = result.plate.panels[i];
-        if (panel.kind != PanelKind::scene) continue;
+        if (!panel.hasScene()) continue;
         Expected<Scene> scene = sceneWithAssets(panel.scene, result.assets);
         if (!scene) return scene.status().in("panels[" + std::to_string(i) + "].scene");
         // Every default explicit: the picture must not depend on later defaults.
@@ -82,7 +82,7 @@ Status assign(PlateDocument& document, const Assignment& assignment) {
     const std::size_t dot = assignment.key.find('.');
     const std::string first = assignment.key.substr(0, dot);
     for (PlatePanel& panel : document.plate.panels)
-        if (dot != std::string::npos && panel.name == first && panel.kind == PanelKind::scene) {
+        if (dot != std::string::npos && panel.name == first && panel.hasScene()) {
             Expected<Scene> scene = sceneWithAssets(panel.scene, document.assets);
             if (!scene) return scene.status();
             const Assignment own{assignment.key.substr(dot + 1), assignment.value};
@@ -93,7 +93,7 @@ Status assign(PlateDocument& document, const Assignment& assignment) {
         }
     int reached = 0;
     for (PlatePanel& panel : document.plate.panels) {
-        if (panel.kind != PanelKind::scene) continue;
+        if (!panel.hasScene()) continue;
         Expected<Scene> scene = sceneWithAssets(panel.scene, document.assets);
         if (!scene) return scene.status();
         if (!knowsKey(*scene, assignment.key)) continue;
@@ -112,6 +112,7 @@ Expected<PlateFile> renderPlate(CpuRenderer& renderer, const PlateDocument& docu
     const auto panels =
         std::count_if(document.plate.panels.begin(), document.plate.panels.end(),
                       [](const PlatePanel& panel) { return panel.kind == PanelKind::scene; });
+    job.setPart(0, 0);  // until the first panel is drawn
     Expected<PlatePicture> picture = layoutPlate(
         document.plate, document.options,
         scenePanels(renderer, document.assets, job, std::max(1, static_cast<int>(panels))));

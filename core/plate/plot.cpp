@@ -75,6 +75,15 @@ bool clip(const Box& box, Point& a, Point& b) {
     return true;
 }
 
+void strokeSeries(Canvas& canvas, const SeriesLook& look, const std::vector<Point>& points,
+                  double width) {
+    std::vector<double> dashes = look.dashes;
+    for (double& dash : dashes) dash *= width;
+    canvas.polyline(points, width, look.colour, dashes);
+}
+
+}  // namespace
+
 void drawMarker(Canvas& canvas, int marker, Point p, double r, const Colour& colour,
                 const Colour& background) {
     const double s = 0.9 * r;
@@ -106,15 +115,6 @@ void drawMarker(Canvas& canvas, int marker, Point p, double r, const Colour& col
             if (marker == 5) canvas.disc(p, 0.5 * r, background);
     }
 }
-
-void strokeSeries(Canvas& canvas, const SeriesLook& look, const std::vector<Point>& points,
-                  double width) {
-    std::vector<double> dashes = look.dashes;
-    for (double& dash : dashes) dash *= width;
-    canvas.polyline(points, width, look.colour, dashes);
-}
-
-}  // namespace
 
 SeriesLook seriesLook(const Theme& theme, std::size_t index) {
     const std::size_t count = theme.series.size();

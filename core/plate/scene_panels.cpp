@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <memory>
 
+#include "dynamics/bifurcation_diagram.h"
+#include "dynamics/critical_set.h"
+#include "dynamics/manifolds.h"
 #include "io/document.h"
 #include "render/colouring.h"
+#include "render/system_of.h"
 #include "scene/numbers.h"
 
 namespace versorium {
@@ -162,6 +166,118 @@ Expected<PanelInfo> describeScene(CpuRenderer& renderer, const Scene& scene, Job
     return info;
 }
 
+Expected<PanelInfo> describeDiagram(CpuRenderer& renderer, const Scene& scene,
+                                    const DiagramPlot& plot, Job& job) {
+    Expected<OrbitProgram> program =
+        programAlong(renderer.binder(), scene, {{{plot.parameter, 1}}}, job);
+    if (!program) return program.status();
+    const MapInfo& info = program->map->info;
+    if (plot.component >= program->map->dimension)
+        return Status::usage("diagram.component: the map \"" + scene.map + "\" has points of " +
+                             std::to_string(program->map->dimension) + " numbers");
+    PanelInfo panel;
+    panel.aspect = plot.aspect;
+    panel.x = {axisName(plot.parameter), plot.from, plot.to};
+    panel.y = {axisName(stateComponent(info, plot.component)), plot.low, plot.high};
+    panel.facts = factsOf(scene, *program);
+    panel.facts["transient"] = std::to_string(plot.transient);
+    panel.facts["points"] = std::to_string(plot.points);
+    panel.description = "Bifurcation diagram: the attractor of " + std::string(info.title) + ", " +
+                        std::string(info.formula) + ", against " + plot.parameter + " from " +
+                        number(plot.from) + " to " + number(plot.to) + ".";
+    return panel;
+}
+
+Expected<DiagramPicture> drawDiagram(CpuRenderer& renderer, const Scene& scene,
+                                     const DiagramPlot& plot, Size pixels, Job& job) {
+    const Expected<OrbitProgram> program =
+        programAlong(renderer.binder(), scene, {{{plot.parameter, 1}}}, job);
+    if (!program) return program.status();
+    const DiagramOptions options{.left = plot.from,
+                                 .right = plot.to,
+                                 .low = plot.low,
+                                 .high = plot.high,
+                                 .component = plot.component,
+                                 .transient = plot.transient,
+                                 .points = plot.points,
+                                 .across = plot.across};
+    BifurcationDiagram diagram(pixels);
+    if (Status status = fillDiagram(*program, options, 0, pixels.width, job, diagram); !status.ok())
+        return status;
+    return DiagramPicture{inkOf(diagram, options), std::move(diagram.periods)};
+}
+
+Expected<std::array<double, 2>> locateScene(const Scene& scene, const Scene& other) {
+    std::array<double, 2> at{};
+    for (std::size_t k = 0; k < 2; ++k) {
+        if (k >= scene.slice.axes.size())
+            return Status::data("a picture with two axes is expected under marks");
+        const auto& [name, weight] = scene.slice.axes[k].terms.front();
+        const auto ref = numberNamed(other, name);
+        if (!ref)
+            return Status::data("the map \"" + other.map + "\" has no number named \"" + name +
+                                "\"");
+        const auto origin = scene.slice.origin.find(name);
+        const double start = origin == scene.slice.origin.end() ? 0 : origin->second;
+        at[k] = (numberValue(other, *ref) - start) / weight;
+    }
+    return at;
+}
+
+Expected<std::vector<OverlayPart>> overlayOf(CpuRenderer& renderer, const Scene& scene,
+                                             const PlateOverlay& overlay, Job& job) {
+    if (mapOf(scene).dimension != 2 || !isDynamicalPlane(scene))
+        return Status::usage("only a plane of starting points has cycles and curves over it");
+    Expected<System> system = systemOf(renderer.binder(), scene, job);
+    if (!system) return system.status();
+    const double half = 0.5 * scene.slice.height, across = half * scene.aspect;
+    const double x = scene.slice.centre[0], y = scene.slice.centre[1];
+    const Window window{x - across, x + across, y - half, y + half};
+    std::vector<OverlayPart> parts;
+    const auto add = [&](const char* name, bool points, std::vector<Polyline> curves) {
+        if (!curves.empty() && !curves[0].empty())
+            parts.push_back({name, points, std::move(curves)});
+    };
+    CycleSearch found;
+    if (const int period = std::max(overlay.cycles, overlay.manifolds); period > 0) {
+        Expected<CycleSearch> search = findCycles(*system, window, {.maxPeriod = period}, job);
+        if (!search) return search.status();
+        found = *std::move(search);
+    }
+    std::vector<Polyline> stable, unstable;
+    for (const PeriodicCycle& cycle : found.cycles) {
+        if (cycle.kind != CycleKind::saddle || cycle.period > overlay.manifolds) continue;
+        Expected<SaddleManifolds> both =
+            manifoldsOf(*system, cycle, window, {.length = overlay.length}, job);
+        if (!both) return both.status();
+        unstable.insert(unstable.end(), both->unstable.curves.begin(), both->unstable.curves.end());
+        if (both->stable)
+            stable.insert(stable.end(), both->stable->curves.begin(), both->stable->curves.end());
+    }
+    add("stable manifold", false, std::move(stable));
+    add("unstable manifold", false, std::move(unstable));
+    if (overlay.criticalSet) {
+        Expected<CriticalSet> set = criticalSet(*system, window, {}, job);
+        if (!set) return set.status();
+        const bool isolated = set->curves.empty();
+        add("det J = 0", isolated, isolated ? std::vector<Polyline>{set->points} : set->curves);
+    }
+    for (CycleKind kind :
+         {CycleKind::attracting, CycleKind::saddle, CycleKind::repelling, CycleKind::neutral}) {
+        Polyline points;
+        for (const PeriodicCycle& cycle : found.cycles)
+            if (cycle.kind == kind && cycle.period <= overlay.cycles)
+                for (const PlanePoint& point : cycle.points)
+                    if (window.contains(point[0], point[1])) points.push_back(point);
+        add(kind == CycleKind::attracting  ? "attracting cycle"
+            : kind == CycleKind::saddle    ? "saddle"
+            : kind == CycleKind::repelling ? "repelling cycle"
+                                           : "neutral cycle",
+            true, {points});
+    }
+    return parts;
+}
+
 PanelSource scenePanels(CpuRenderer& renderer, const Json& assets, Job& job, int panels) {
     PanelSource source;
     const auto drawn = std::make_shared<int>(0);
@@ -182,6 +298,29 @@ PanelSource scenePanels(CpuRenderer& renderer, const Json& assets, Job& job, int
         if (Status status = renderer.render(*scene, pixels, options, job, frame); !status.ok())
             return status;
         return std::move(frame.colour);
+    };
+    source.describeDiagram = [&renderer, assets, &job](
+                                 const Json& json, const DiagramPlot& plot) -> Expected<PanelInfo> {
+        Expected<Scene> scene = sceneWithAssets(json, assets);
+        return scene ? describeDiagram(renderer, *scene, plot, job) : scene.status();
+    };
+    source.drawDiagram = [&renderer, assets, &job](const Json& json, const DiagramPlot& plot,
+                                                   Size pixels) -> Expected<DiagramPicture> {
+        Expected<Scene> scene = sceneWithAssets(json, assets);
+        return scene ? drawDiagram(renderer, *scene, plot, pixels, job) : scene.status();
+    };
+    source.overlay = [&renderer, assets, &job](
+                         const Json& json,
+                         const PlateOverlay& overlay) -> Expected<std::vector<OverlayPart>> {
+        Expected<Scene> scene = sceneWithAssets(json, assets);
+        return scene ? overlayOf(renderer, *scene, overlay, job) : scene.status();
+    };
+    source.locate = [assets](const Json& json,
+                             const Json& otherJson) -> Expected<std::array<double, 2>> {
+        Expected<Scene> scene = sceneWithAssets(json, assets);
+        if (!scene) return scene.status();
+        Expected<Scene> other = sceneWithAssets(otherJson, assets);
+        return other ? locateScene(*scene, *other) : other.status();
     };
     return source;
 }

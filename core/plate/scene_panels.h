@@ -13,6 +13,17 @@ namespace versorium {
 PanelSource scenePanels(CpuRenderer& renderer, const Json& assets, Job& job, int panels);
 
 Expected<PanelInfo> describeScene(CpuRenderer& renderer, const Scene& scene, Job& job);
+// The axes and facts of a bifurcation diagram, and its picture.
+Expected<PanelInfo> describeDiagram(CpuRenderer& renderer, const Scene& scene,
+                                    const DiagramPlot& plot, Job& job);
+Expected<DiagramPicture> drawDiagram(CpuRenderer& renderer, const Scene& scene,
+                                     const DiagramPlot& plot, Size pixels, Job& job);
+// Coordinates on the first two axes of `scene` of the parameters of `other`: by the first number of
+// each axis. ErrorKind::data where `other` has no such number.
+Expected<std::array<double, 2>> locateScene(const Scene& scene, const Scene& other);
+// Cycles, manifolds and critical set over a dynamical plane.
+Expected<std::vector<OverlayPart>> overlayOf(CpuRenderer& renderer, const Scene& scene,
+                                             const PlateOverlay& overlay, Job& job);
 // A sentence about the picture, plain text: map, parameters, plane, rule of colour.
 std::string sceneSentence(const Scene& scene);
 

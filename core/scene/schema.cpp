@@ -95,7 +95,7 @@ Json schemaOf(const Json& value, const std::string& path) {
                                                          {"description",
                                                           "a palette of the scene's own, as "
                                                           "versorium palettes --json shows"}}});
-    } else if (path == "layers") {
+    } else if (path == "layers" && value.is_array()) {
         schema["type"] = "array";
         schema["items"] = schemaOf(value[0], path);
         schema["default"] = Json::array();

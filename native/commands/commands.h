@@ -31,12 +31,13 @@ struct CommandLine {
     }
 };
 
-void addListCommands(CommandLine& line);     // maps, palettes, plates, presets, schema, glsl
-void addRenderCommands(CommandLine& line);   // render, plate
-void addAnimateCommand(CommandLine& line);   // animate
-void addMeasureCommands(CommandLine& line);  // eval, orbit
-void addFileCommands(CommandLine& line);     // shape, scene
-void addStudioCommand(CommandLine& line);    // studio, also what no command means
+void addListCommands(CommandLine& line);      // maps, palettes, plates, presets, schema, glsl
+void addRenderCommands(CommandLine& line);    // render, plate
+void addAnimateCommand(CommandLine& line);    // animate
+void addMeasureCommands(CommandLine& line);   // eval, orbit
+void addDynamicsCommands(CommandLine& line);  // cycles, manifolds, critical, explain
+void addFileCommands(CommandLine& line);      // shape, scene
+void addStudioCommand(CommandLine& line);     // studio, also what no command means
 
 // Shows progress with an estimate of what is left, on a terminal only.
 class ProgressLine {

@@ -166,6 +166,61 @@ class Results(CommandLine):
         self.assertEqual([row["point"][0] for row in orbit["orbit"]], [0, -1, 0, -1])
         self.assertFalse(orbit["escaped"])
 
+    def test_cycles(self):
+        found = json.loads(self.good("cycles", "henon", "--period", "2", "--json"))["cycles"]
+        saddle = [one for one in found if one["period"] == 1][-1]
+        # The preset's second coordinate is the last x: the fixed point lies on the diagonal.
+        self.assertAlmostEqual(saddle["points"][0][0], 0.631354, places=6)
+        self.assertAlmostEqual(saddle["points"][0][1], 0.631354, places=6)
+        self.assertEqual(saddle["kind"], "saddle")
+        product = saddle["eigenvalues"][0][0] * saddle["eigenvalues"][1][0]
+        self.assertAlmostEqual(product, -0.3, places=12)
+        table = self.good("cycles", "logistic", "--set", "r=3.5", "--period", "4", "--csv",
+                          "--window=-1,2").decode().splitlines()
+        self.assertEqual(table[0], "cycle,period,kind,n,x,eigenvalue1.re,eigenvalue1.im")
+        attracting = [row.split(",") for row in table if ",attracting," in row]
+        self.assertEqual(len(attracting), 4)
+        self.assertAlmostEqual(float(attracting[0][4]), 0.38281968, places=7)
+        text = self.good("cycles", "julia", "--period", "3").decode()
+        self.assertIn("3\tattracting", text)
+        # A picture of parameters has the system of the parameters that the scene gives.
+        same = self.good("cycles", "planar-set", "--period", "3", "--json")
+        self.assertIn(b'"attracting"', same)
+
+    def test_curves_of_planar_maps(self):
+        self.good("manifolds", "henon", "--length", "3", "-o", self.path("m.csv"))
+        rows = self.read("m.csv").decode().splitlines()
+        self.assertEqual(rows[0], "manifold,curve,x,y")
+        names = {row.split(",")[0] for row in rows[1:]}
+        self.assertEqual(names, {"stable1", "unstable1", "stable2", "unstable2"})
+        both = json.loads(self.good("manifolds", "henon", "--length", "3", "--json"))
+        self.assertEqual(len(both["saddles"]), 2)
+        curve = self.good("critical", "planar", "--set", "g.a1=0.5", "--set", "h.b1=-0.5",
+                          "--window=-1,1,-1,1").decode().splitlines()[1:]
+        self.assertGreater(len(curve), 50)
+        for row in curve:  # a circle, by hand
+            self.assertAlmostEqual(math.hypot(*map(float, row.split(",")[2:])), 0.25, places=10)
+        points = json.loads(self.good("critical", "cubic", "--json"))
+        self.assertEqual((len(points["curves"]), len(points["points"])), (0, 2))
+
+    def test_explain(self):
+        def answer(*arguments):
+            return json.loads(self.good("explain", *arguments, "--json"))
+
+        planar = answer("planar-set")
+        self.assertEqual(planar["g"], "x² − y² + dᵍ")
+        self.assertEqual(planar["h"], "2xy + dʰ")
+        self.assertEqual(planar["complex"], "z² − 0.122561 + 0.744862i")
+        for scene, word in (("planar-set", "only_critical_orbit"),
+                            ("mandelbrot", "only_critical_orbit"),
+                            ("tricorn", "only_critical_orbit"),
+                            ("planar-cubic-b", "one_of_several"),
+                            ("not-critical", "not_critical"),
+                            ("henon-set", "no_critical_point"),
+                            ("julia", "not_asked")):
+            self.assertEqual(answer(scene)["catalogue"]["answer"], word, scene)
+        self.assertIn("catalogue", self.good("explain", "mandelbrot").decode())
+
     def test_a_grid_of_a_sphere_is_its_distance(self):
         self.good("shape", "sphere(0.3)", "-o", self.path("s.f3d"), "--resolution", "33")
         content = self.read("s.f3d")
@@ -248,6 +303,29 @@ class BadInput(CommandLine):
         self.refused(USAGE, "no-such-command")
         self.refused(USAGE, "render")
         self.refused(USAGE, "render", "julia", *self.out(), "--flavour", "hot", says="exact")
+
+    def test_dynamics(self):
+        self.refused(USAGE, "cycles", "mandelbulb", says=("mandelbulb", "plane"))
+        self.refused(USAGE, "cycles", "julia", "--window", "1,2", says="LEFT,RIGHT,BOTTOM,TOP")
+        self.refused(USAGE, "cycles", "julia", "--window", "2,1,0,1", says="--window")
+        self.refused(USAGE, "cycles", "julia", "--period", "0")
+        self.refused(USAGE, "cycles", "julia", "--period", "65")
+        self.refused(USAGE, "cycles", "nonsense", says="mandelbrot")
+        self.refused(USAGE, "manifolds", "julia", says="saddle")
+        self.refused(USAGE, "manifolds", "logistic", "--set", "r=3.5", says="saddle")
+        self.refused(USAGE, "critical", "logistic", says="plane")
+        self.refused(INPUT_OUTPUT, "critical", "cubic", "-o", self.path("no/x.csv"))
+        diagram = {"panels": [{"kind": "diagram", "scene": {"map": "logistic"},
+                               "diagram": {"parameter": "x", "from": 0, "to": 1}}]}
+        self.refused(USAGE, "plate", self.write("d.json", json.dumps(diagram)), *self.out(),
+                     says=("panel a", "start"))
+        over = {"panels": [{"scene": {"map": "quadratic", "slice": {"axes": [{"c.re": 1},
+                {"c.im": 1}]}}, "overlay": {"cycles": 1}}]}
+        self.refused(USAGE, "plate", self.write("o.json", json.dumps(over)), *self.out(),
+                     says=("panel a", "overlay", "starting points"))
+        diagram["panels"][0]["diagram"]["parameter"] = "q"
+        self.refused(USAGE, "plate", self.write("d.json", json.dumps(diagram)), *self.out(),
+                     says=("panel a", "\"q\""))
 
     def test_files(self):
         self.refused(INPUT_OUTPUT, "render", self.path("none.json"), *self.out(), says="none.json")

@@ -41,6 +41,30 @@ PanelSource fakeSource() {
     source.draw = [](const Json&, Size size, double) -> Expected<Raster<float>> {
         return Raster<float>(size, 4, 0.5F);
     };
+    source.describeDiagram = [describe = source.describe](const Json& scene,
+                                                          const DiagramPlot& plot) {
+        Expected<PanelInfo> info = describe(scene);
+        if (info) info->aspect = plot.aspect, info->x->low = plot.from, info->x->high = plot.to;
+        return info;
+    };
+    source.drawDiagram = [](const Json&, const DiagramPlot&,
+                            Size size) -> Expected<DiagramPicture> {
+        // The left half has period 1, the right half none.
+        DiagramPicture picture{Raster<float>(size, 1, 1.0F), {}};
+        for (int x = 0; x < size.width; ++x) picture.periods.push_back(2 * x < size.width ? 1 : 0);
+        return picture;
+    };
+    source.overlay = [](const Json&,
+                        const PlateOverlay& overlay) -> Expected<std::vector<OverlayPart>> {
+        if (overlay.criticalSet) return Status::usage("no critical set here");
+        // A line across the picture, and its middle.
+        return std::vector<OverlayPart>{{"a curve", false, {{{-2, -0.5}, {1, -0.5}}}},
+                                        {"a point", true, {{{-0.5, 0.5}}}}};
+    };
+    source.locate = [](const Json&, const Json& other) -> Expected<std::array<double, 2>> {
+        if (!other.contains("at")) return Status::data("it lies nowhere");
+        return std::array<double, 2>{other["at"][0].get<double>(), other["at"][1].get<double>()};
+    };
     return source;
 }
 
@@ -160,8 +184,104 @@ TEST(Plate, PicturesHaveTheAspectOfTheirScene) {
     EXPECT_NEAR(sizes[1].width / 0.8, sizes[1].height, 1.3);
 }
 
+Plate markedPlate(const char* at) {
+    return readPlate(std::string(R"({"panels": [{"scene": {}, "marks": [{"of": "b", "label": "b"},
+        {"of": "c"}]}, {"scene": {"at": )") +
+                     at + R"(}, "title": "one"}, {"scene": {"at": [0.5, -1.5]}}]})");
+}
+const Box* boxNamed(const PlatePicture& picture, const std::string& name) {
+    for (const PlateBox& box : picture.boxes)
+        if (box.name == name) return &box.box;
+    return nullptr;
+}
+
+// A mark stands where the other panel's parameters are, in the colour of the sign in its heading.
+TEST(Plate, MarksStandForOtherPanels) {
+    const auto with = layoutPlate(markedPlate("[-1.25, 0.25]"), {}, fakeSource());
+    const auto other = layoutPlate(markedPlate("[0.25, 0.25]"), {}, fakeSource());
+    ASSERT_TRUE(with.ok() && other.ok()) << with.status().message();
+    const Box* frame = boxNamed(*with, "a/picture");
+    ASSERT_TRUE(frame && boxNamed(*with, "b/sign") && boxNamed(*with, "c/sign"));
+    EXPECT_EQ(boxNamed(*with, "a/sign"), nullptr);
+    const auto pixel = [&](double x, double y) {
+        std::array<int, 3> rgb;
+        for (int k = 0; k < 3; ++k)
+            rgb[static_cast<std::size_t>(k)] =
+                with->pixels.at(static_cast<int>(x), static_cast<int>(y), k);
+        return rgb;
+    };
+    // The axes of the fake scene run from -2 to 1.
+    const auto at = [&](double x, double y) {
+        return pixel(frame->left + (x + 2) / 3 * frame->width(),
+                     frame->bottom - (y + 2) / 3 * frame->height());
+    };
+    const Box* sign = boxNamed(*with, "b/sign");
+    const auto colour = pixel(sign->left + sign->width() / 2, sign->top + sign->height() / 2);
+    EXPECT_EQ(at(-1.25, 0.25), colour);
+    EXPECT_NE(at(0.25, 0.25), colour);
+    EXPECT_NE(at(0.5, -1.5), colour);
+    EXPECT_NE(at(0.5, -1.5), at(0, 0.9));
+    EXPECT_NE(with->pixels.values(), other->pixels.values());
+    EXPECT_NE(with->alternativeText.find("Marked: (b) at (-1.25, 0.25), (c) at (0.5, -1.5)."),
+              std::string::npos);
+    const auto lost = layoutPlate(readPlate(R"({"panels": [{"scene": {}, "marks": [{"of": "b"}]},
+        {"scene": {}}]})"),
+                                  {}, fakeSource());
+    EXPECT_EQ(lost.status().message(), "panel a: mark of b: it lies nowhere");
+}
+
+TEST(Plate, CurvesAndPointsLieOverTheirScene) {
+    const Plate plate = readPlate(R"({"panels": [{"scene": {}, "overlay": {"cycles": 2}}]})");
+    const auto picture = layoutPlate(plate, {}, fakeSource());
+    ASSERT_TRUE(picture.ok()) << picture.status().message();
+    const auto bare =
+        layoutPlate(readPlate(R"({"panels": [{"scene": {}, "keys": false}]})"), {}, fakeSource());
+    const Box* frame = boxNamed(*picture, "a/picture");
+    const auto pixel = [&](double x, double y, int k) {
+        return picture->pixels.at(static_cast<int>(frame->left + x * frame->width()),
+                                  static_cast<int>(frame->bottom - y * frame->height()), k);
+    };
+    // The fake picture is grey: what is not lies over it.
+    const auto coloured = [&](double x, double y) { return pixel(x, y, 0) != pixel(x, y, 2); };
+    EXPECT_TRUE(coloured(0.3, 0.5));
+    EXPECT_TRUE(coloured(0.5, 2.5 / 3));
+    EXPECT_FALSE(coloured(0.3, 0.7));
+    EXPECT_NE(boxNamed(*picture, "a/swatch 2"), nullptr);
+    EXPECT_NE(picture->alternativeText.find("Over it: a curve, a point."), std::string::npos);
+    EXPECT_EQ(bare->alternativeText.find("Over it"), std::string::npos);
+    const auto refused =
+        layoutPlate(readPlate(R"({"panels": [{"scene": {}, "overlay": {"critical_set": true}}]})"),
+                    {}, fakeSource());
+    EXPECT_EQ(refused.status().message(), "panel a: overlay: no critical set here");
+}
+
+TEST(Plate, DiagramsAreInkInTheColoursOfPeriods) {
+    const Plate plate = readPlate(R"({"panels": [{"kind": "diagram", "scene": {},
+        "diagram": {"parameter": "r", "from": 3, "to": 4, "aspect": 2, "periods": [1, 3]}}]})");
+    const auto picture = layoutPlate(plate, {}, fakeSource());
+    ASSERT_TRUE(picture.ok()) << picture.status().message();
+    const Box* frame = boxNamed(*picture, "a/picture");
+    EXPECT_NEAR(frame->width() / frame->height(), 2, 0.02);
+    EXPECT_NE(boxNamed(*picture, "a/swatch 3"), nullptr);  // two periods and "other"
+    const Box* swatch = boxNamed(*picture, "a/swatch 1");
+    const auto red = [&](double x, double y) {
+        return picture->pixels.at(static_cast<int>(x), static_cast<int>(y), 0);
+    };
+    const double y = (frame->top + frame->bottom) / 2;
+    EXPECT_EQ(red(frame->left + 0.25 * frame->width(), y),
+              red((swatch->left + swatch->right) / 2, (swatch->top + swatch->bottom) / 2));
+    EXPECT_NE(red(frame->left + 0.25 * frame->width(), y),
+              red(frame->left + 0.75 * frame->width(), y));
+}
+
 TEST(Plate, GoesThroughJsonUnchanged) {
-    for (const Plate& plate : samplePlates()) {
+    std::vector<Plate> plates = samplePlates();
+    plates.push_back(markedPlate("[0, 0]"));
+    plates.push_back(readPlate(R"({"panels": [{"scene": {}, "overlay": {"cycles": 3,
+        "manifolds": 2, "length": 1.5, "critical_set": true}}]})"));
+    plates.push_back(readPlate(R"({"panels": [{"kind": "diagram", "scene": {"alpha": 2},
+        "diagram": {"parameter": "r", "from": 3, "to": 4, "periods": [2, 1]}}]})"));
+    for (const Plate& plate : plates) {
         const std::string text = printJson(plateToJson(plate));
         EXPECT_EQ(readPlate(text), plate);
         EXPECT_EQ(printJson(plateToJson(readPlate(text))), text);
@@ -185,6 +305,25 @@ TEST(Plate, FaultsHaveTheirPath) {
               std::string::npos);
     EXPECT_NE(fault(R"({"panels": [{"kind": "plot", "plot": {"lines": [{"x": [1], "y": []}]}}]})")
                   .find("panels[0].plot.lines[0].y"),
+              std::string::npos);
+    const auto diagram = [&](const std::string& text) {
+        return fault(R"({"panels": [{"kind": "diagram", "scene": {}, "diagram": )" + text + "}]}");
+    };
+    EXPECT_NE(diagram(R"({"from": 0, "to": 1})").find("panels[0].diagram.parameter"),
+              std::string::npos);
+    EXPECT_NE(diagram(R"({"parameter": "r", "from": 1, "to": 1})").find("above"),
+              std::string::npos);
+    EXPECT_NE(diagram(R"({"parameter": "r", "periods": [0.5]})").find("whole"), std::string::npos);
+    EXPECT_NE(diagram(R"({"parameter": "r", "colour": 1})").find("diagram.colour"),
+              std::string::npos);
+    EXPECT_NE(fault(R"({"panels": [{"scene": {}, "marks": [{"of": "z"}]}]})").find("\"z\""),
+              std::string::npos);
+    EXPECT_NE(fault(R"({"panels": [{"scene": {}, "marks": [{"of": "a"}]}]})").find("no other"),
+              std::string::npos);
+    EXPECT_NE(fault(R"({"panels": [{"scene": {}, "overlay": {"cycles": 99}}]})")
+                  .find("panels[0].overlay.cycles"),
+              std::string::npos);
+    EXPECT_NE(fault(R"({"panels": [{"scene": {}, "diagram": {}}]})").find("diagram"),
               std::string::npos);
     std::string many = R"({"panels": [)";
     for (int i = 0; i < 27; ++i) many += std::string(i ? "," : "") + R"({"scene": {}})";

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: MIT
+#include "dynamics/catalogue_badge.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/json.h"
+#include "base/random.h"
+#include "dynamics/planar_system.h"
+#include "dynamics/system.h"
+#include "maps/critical.h"
+
+namespace versorium {
+namespace {
+
+// Of det J, in units of the squared size of J. Of a complex-analytic map det J = |f'|².
+constexpr double kZero = 1e-9, kZeroAnalytic = 1e-18;
+constexpr int kAcross = 5;
+constexpr int kMostCritical = 64;
+
+// The system at one point of the picture, with its start.
+struct Sample {
+    System system;
+    std::vector<double> start;
+    bool exists = true;  // the start: a critical point may not
+};
+
+Sample sampleAt(const OrbitProgram& program, const double* coordinates) {
+    Sample sample{System(program, coordinates), {}, true};
+    const auto dimension = static_cast<std::size_t>(program.map->dimension);
+    for (std::size_t k = 0; k < dimension; ++k)
+        sample.start.push_back(program.slice.at(k, coordinates));
+    if (program.critical)
+        sample.exists =
+            criticalPoint(*program.map, *program.critical, sample.system.parameters().data(),
+                          sample.system.environment(), sample.start.data());
+    return sample;
+}
+
+struct Local {
+    double determinant = 0;
+    double size = 0;  // of J: the sum of the squares of its entries
+    // From a multiplication by a complex number, and by one after conjugation; squared.
+    double difference = 0, conjugate = 0;
+};
+Local localAt(const System& system, const double* point) {
+    double at[2] = {point[0], system.dimension() == 2 ? point[1] : 0.0}, j[4] = {};
+    system.stepWithJacobian(at, j);
+    if (system.dimension() == 1) return {j[0], 1 + j[0] * j[0], 0, 0};
+    const double a = j[0] - j[3], b = j[1] + j[2], c = j[0] + j[3], d = j[1] - j[2];
+    return {j[0] * j[3] - j[1] * j[2], j[0] * j[0] + j[1] * j[1] + j[2] * j[2] + j[3] * j[3],
+            a * a + b * b, c * c + d * d};
+}
+
+bool isCritical(const Sample& sample, bool analytic) {
+    if (!sample.exists) return false;
+    const Local local = localAt(sample.system, sample.start.data());
+    const double zero = analytic && sample.system.dimension() == 2 ? kZeroAnalytic : kZero;
+    return std::abs(local.determinant) <= zero * (1 + local.size);
+}
+
+bool isPlanar(const System& system) { return system.map().info.name == "planar"; }
+
+// The polynomial that a planar map is; of its complex conjugate where that is asked for.
+std::optional<ComplexPolynomial> polynomialOf(const System& system, bool conjugate) {
+    std::vector<double> numbers = system.parameters();
+    if (conjugate)
+        for (std::size_t k = numbers.size() / 2; k < numbers.size(); ++k) numbers[k] = -numbers[k];
+    return complexPolynomialOf(numbers);
+}
+
+bool isAnalytic(const System& system, bool conjugate) {
+    if (system.dimension() == 1) return !conjugate;
+    if (isPlanar(system)) return polynomialOf(system, conjugate).has_value();
+    // Elsewhere the equations are asked at points, away from poles and axes.
+    Random random(17);
+    for (int i = 0; i < 12; ++i) {
+        const double at[2] = {random.uniform(-2, 2), random.uniform(-2, 2)};
+        const Local local = localAt(system, at);
+        const double difference = conjugate ? local.conjugate : local.difference;
+        if (std::isfinite(local.size) && !(difference <= 1e-14 * local.size)) return false;
+    }
+    return true;
+}
+
+// Distinct critical points of an analytic map: all, and those that the map does not fix.
+struct Count {
+    int all = 0, free = 0;
+};
+Count countCritical(const System& system, bool conjugate) {
+    std::vector<PlanePoint> points;
+    if (isPlanar(system)) {
+        const auto polynomial = polynomialOf(system, conjugate);
+        for (const auto& z : criticalPointsOf(*polynomial)) points.push_back({z.real(), z.imag()});
+    } else {
+        for (int k = 0; k < kMostCritical; ++k) {
+            PlanePoint at{0, 0};
+            if (!criticalPoint(system.map(), k, system.parameters().data(), system.environment(),
+                               at.data()))
+                break;
+            const bool known =
+                std::any_of(points.begin(), points.end(), [&](const PlanePoint& other) {
+                    return std::abs(other[0] - at[0]) + std::abs(other[1] - at[1]) < 1e-7;
+                });
+            if (!known) points.push_back(at);
+        }
+    }
+    Count count;
+    count.all = static_cast<int>(points.size());
+    for (const PlanePoint& point : points) {
+        PlanePoint image = point;
+        system.step(image.data());
+        count.free += !(std::abs(image[0] - point[0]) + std::abs(image[1] - point[1]) < 1e-7);
+    }
+    return count;
+}
+
+// det J of a planar polynomial: everywhere 0, nowhere 0 because it is constant, or neither.
+enum class Determinant { zero, constant, varies };
+Determinant determinantKind(const System& system) {
+    const PlanarDeterminant determinant = determinantOf(system.parameters());
+    double rest = 0;
+    for (std::size_t i = 0; i < determinant.size(); ++i)
+        for (std::size_t k = 0; k < determinant.size(); ++k)
+            if (i + k > 0) rest = std::max(rest, std::abs(determinant[i][k]));
+    if (rest > 1e-14) return Determinant::varies;
+    return determinant[0][0] == 0 ? Determinant::zero : Determinant::constant;
+}
+
+std::string pointText(const std::vector<double>& point) {
+    std::string text;
+    for (double part : point) text += (text.empty() ? "" : ", ") + formatNumber(part, 6);
+    return point.size() == 1 ? text : "(" + text + ")";
+}
+
+void say(CatalogueBadge& badge, CatalogueAnswer answer, std::string label, std::string sentence) {
+    badge.answer = answer;
+    badge.label = std::move(label);
+    badge.sentence = std::move(sentence);
+}
+
+void answerAnalytic(CatalogueBadge& badge, const MapKernels& map, const Count& count,
+                    bool everywhere, bool somewhere, bool fixed) {
+    badge.criticalPoints = count.all;
+    const bool line = map.dimension == 1;
+    const std::string kind = badge.conjugate ? "The map is the complex conjugate of an analytic one"
+                                             : "The map is complex-analytic";
+    if (count.all == 0 && !somewhere)
+        return say(
+            badge, CatalogueAnswer::noCriticalPoint, "no critical point",
+            "The derivative of this map vanishes nowhere, so that no orbit can tell what all "
+            "others do: the picture is no catalogue of Julia sets.");
+    if (!everywhere)
+        return say(badge, CatalogueAnswer::notCritical, "not a critical point",
+                   "The start " + pointText(badge.start) +
+                       (somewhere ? " is a critical point for some of these parameters only"
+                                  : " is not a critical point") +
+                       ": whether its orbit escapes says nothing of the Julia sets.");
+    if (line)
+        return say(badge, CatalogueAnswer::onlyCriticalOrbit, "the only critical orbit",
+                   "The orbit starts at the critical point of a map of the line: where a cycle "
+                   "attracts, it attracts this orbit (Singer, for these families).");
+    if (fixed && count.free > 0)
+        return say(badge, CatalogueAnswer::oneOfSeveral, "a critical point that is fixed",
+                   "The orbit starts at a critical point that the map fixes for all of these "
+                   "parameters: it stays wherever the others go.");
+    if (count.free <= 1 && count.all <= 1)
+        return say(badge, CatalogueAnswer::onlyCriticalOrbit, "the only critical orbit",
+                   kind +
+                       " and the orbit starts at its only critical point: the picture is a "
+                       "catalogue, with connected Julia sets exactly where the orbit "
+                       "stays bounded (Fatou and Julia).");
+    if (count.free <= 1)
+        return say(badge, CatalogueAnswer::onlyCriticalOrbit, "the only free critical orbit",
+                   kind +
+                       ", and its other critical points are fixed: the orbit of the only free one "
+                       "decides what its Julia sets are like.");
+    say(badge, CatalogueAnswer::oneOfSeveral,
+        "one of " + std::to_string(count.free) + " critical orbits",
+        kind + " and has " + std::to_string(count.free) +
+            " free critical points, of which the picture follows one: where its orbit escapes the "
+            "Julia set is not connected, where it stays the other orbits decide as well.");
+}
+
+}  // namespace
+
+const char* wordOf(CatalogueAnswer answer) {
+    constexpr const char* kWords[] = {"only_critical_orbit", "one_of_several", "not_critical",
+                                      "no_critical_point", "not_asked"};
+    return kWords[static_cast<int>(answer)];
+}
+
+CatalogueBadge catalogueBadge(const OrbitProgram& program, const double* centre, double halfWidth,
+                              double halfHeight) {
+    CatalogueBadge badge;
+    const MapKernels& map = *program.map;
+    const auto dimension = static_cast<std::size_t>(map.dimension);
+    if (dimension > 2) {
+        say(badge, CatalogueAnswer::notAsked, "not a map of line or plane",
+            "Critical orbits decide about Julia sets of complex maps; this map has points of " +
+                std::to_string(dimension) + " numbers.");
+        return badge;
+    }
+    bool parameters = false;
+    for (std::size_t k = 0; k < program.slice.origin.size(); ++k) {
+        if (!program.slice.varies(k)) continue;
+        if (k < dimension) {
+            say(badge, CatalogueAnswer::notAsked, "a picture of starting points",
+                "The picture varies the starting point: the question is asked of pictures that "
+                "vary parameters.");
+            return badge;
+        }
+        parameters = true;
+    }
+    if (!parameters) {
+        say(badge, CatalogueAnswer::notAsked, "nothing varies", "The picture varies no parameter.");
+        return badge;
+    }
+    const Sample middle = sampleAt(program, centre);
+    badge.start = middle.start;
+    badge.determinant = localAt(middle.system, middle.start.data()).determinant;
+    badge.analytic = badge.conjugate = true;
+    bool everywhere = true, somewhere = false, exists = true, fixed = true;
+    bool constant = isPlanar(middle.system), invertible = false;
+    Count count;
+    const std::size_t axes = program.slice.axes.size();
+    for (int row = 0; row < (axes > 1 ? kAcross : 1); ++row)
+        for (int column = 0; column < kAcross; ++column) {
+            // The middle of the picture is among them.
+            const double at[3] = {
+                centre[0] + halfWidth * (2.0 * column / (kAcross - 1) - 1),
+                axes > 1 ? centre[1] + halfHeight * (2.0 * row / (kAcross - 1) - 1) : 0.0,
+                axes > 2 ? centre[2] : 0.0};
+            const Sample sample = sampleAt(program, at);
+            badge.analytic = badge.analytic && isAnalytic(sample.system, false);
+            badge.conjugate = badge.conjugate && isAnalytic(sample.system, true);
+            const bool complex = badge.analytic || badge.conjugate;
+            const bool critical = isCritical(sample, complex);
+            everywhere = everywhere && critical;
+            somewhere = somewhere || critical;
+            exists = exists && sample.exists;
+            double image[2] = {sample.start[0], dimension > 1 ? sample.start[1] : 0.0};
+            sample.system.step(image);
+            for (std::size_t k = 0; k < dimension; ++k)
+                fixed = fixed && std::abs(image[k] - sample.start[k]) < 1e-7;
+            for (std::size_t k = 0; k < dimension; ++k)
+                badge.startMoves =
+                    badge.startMoves || std::abs(sample.start[k] - middle.start[k]) > 1e-9;
+            if (constant) {
+                const Determinant kind = determinantKind(sample.system);
+                constant = kind != Determinant::varies;
+                invertible = invertible || kind == Determinant::constant;
+            }
+            if (!complex) continue;
+            const Count own = countCritical(sample.system, !badge.analytic);
+            count.all = std::max(count.all, own.all);
+            count.free = std::max(count.free, own.free);
+        }
+    if (constant && invertible) {
+        say(badge, CatalogueAnswer::noCriticalPoint, "no critical point",
+            "det J is the same number at every point, as for Hénon's map, so that the map has no "
+            "critical point wherever it is not 0: the picture shows where one orbit stays bounded "
+            "and is no catalogue of Julia sets.");
+        return badge;
+    }
+    if (!exists) {
+        say(badge, CatalogueAnswer::notCritical, "no such critical point",
+            "The map has no critical point of this number, at least not everywhere in the "
+            "picture.");
+        return badge;
+    }
+    // A constant is both; it counts as analytic.
+    badge.conjugate = badge.conjugate && !badge.analytic;
+    if (badge.analytic || badge.conjugate) {
+        answerAnalytic(badge, map, count, everywhere, somewhere, fixed);
+        return badge;
+    }
+    badge.criticalPoints = -1;
+    if (everywhere)
+        say(badge, CatalogueAnswer::oneOfSeveral, "one of infinitely many critical points",
+            "The start lies where det J = 0, but the map is not complex-analytic and has a whole "
+            "curve of such points: the picture is a guide for the eye, nothing follows for Julia "
+            "sets.");
+    else
+        say(badge, CatalogueAnswer::notCritical, "not a critical point",
+            "At the start " + pointText(badge.start) +
+                (somewhere ? " det J is 0 for some of these parameters only" : " det J is not 0") +
+                ", and the map is not complex-analytic: the picture shows where one orbit stays "
+                "bounded and is no catalogue of Julia sets.");
+    return badge;
+}
+
+}  // namespace versorium
