@@ -82,7 +82,7 @@ Scene parameterView(const Scene& like) {
         scene.slice.centreLow.push_back(0);
     }
     scene.slice.height = kParameterHeight;
-    if (map.info.name == "quadratic") scene.slice.centre[0] = -0.65;
+    if (map.info.formula == "z^2 + c") scene.slice.centre[0] = -0.65;
     if (hasCriticalPoints(map)) scene.criticalStart = 0;
     return scene;
 }
