@@ -309,12 +309,11 @@ class Parser {
         }
     }
     bool parseNot() {
-        const Deeper deeper(depth_);
-        if (tooDeep()) return false;
         skipBlanks();
         const std::size_t position = position_;
         if (takeWord("not") || (peek() == '!' && peek(1) != '=' && take('!'))) {
-            if (!parseNot()) return false;
+            const Deeper deeper(depth_);
+            if (tooDeep() || !parseNot()) return false;
             add(TermKind::negation, position, last());
             return true;
         }
@@ -384,13 +383,13 @@ class Parser {
         }
     }
     bool parseSign() {
-        const Deeper deeper(depth_);
-        if (tooDeep()) return false;
         skipBlanks();
         const std::size_t position = position_;
-        if (take('+')) return parseSign();
-        if (take('-') || take(0x2212)) {
-            if (!parseSign()) return false;
+        const bool plus = take('+');
+        if (plus || take('-') || take(0x2212)) {
+            const Deeper deeper(depth_);
+            if (tooDeep() || !parseSign()) return false;
+            if (plus) return true;
             add(TermKind::negate, position, last());
             // -2z is (-2) z: the same, and the number is still bare.
             return true;
@@ -410,7 +409,8 @@ class Parser {
             add(TermKind::power, position, base, last());
             return true;
         }
-        if (!take('^')) return true;
+        if (peek() != '^') return true;
+        ++position_;
         if (!parseExponent()) return false;
         if (touchesNext())
             return fail(position_, "z^2c could mean two things: write z^2*c or z^(2*c)");
@@ -418,7 +418,7 @@ class Parser {
         add(TermKind::power, position, base, last());
         return true;
     }
-    // A blank after a bare number ends it: "2 z" is no product.
+    // Only if a power follows: a blank after a bare number ends it, "2 z" is no product.
     void skipBlanksBeforePower() {
         std::size_t next = position_;
         while (next < text_.size() && isBlank(text_[next])) ++next;

@@ -124,7 +124,8 @@ void collectMap(StudioContext& context, Collector& all) {
                });
     const std::shared_ptr<const FormulaMap> typed = context.workspace.views[0].formula;
     all.text("formula", "formula of your own", typed ? typed->formula().text : std::string(),
-             [c](const std::string& text) {
+             [c, typed](const std::string& text) {
+                 if (text.empty() && !typed) return true;
                  const Status status = applyFormula(*c, text);
                  c->report(status);
                  if (status.ok()) c->welcome = false;
@@ -133,6 +134,7 @@ void collectMap(StudioContext& context, Collector& all) {
     if (typed)
         all.text("save formula", "name to save the formula under", "",
                  [c, typed](const std::string& name) {
+                     if (name.empty()) return true;
                      const Status status = c->formulas.save(c->host, name, typed->formula().text);
                      status.ok() ? c->say("The formula is saved as " + name) : c->report(status);
                      return status.ok();
