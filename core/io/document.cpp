@@ -219,7 +219,7 @@ Status assign(Scene& scene, const Assignment& assignment) {
     if (scene.lists.contains(key) && !value.starts_with("{"))
         return assignList(scene.lists[key], value);
     if (key == "shape" && mapOf(scene).info.field) return assignShape(scene, value);
-    if (key == "map") {
+    if (key == "map" || key == "formula") {
         Expected<Scene> chosen = sceneOfMap(value);
         if (!chosen) return refused(assignment, chosen.status().message());
         const Scene old = std::move(scene);

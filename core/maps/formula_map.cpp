@@ -158,11 +158,12 @@ void FormulaMap::describe() {
              .algebra = algebraOf(formula_.space),
              .parameters = parameters_,
              .escapeRadius = radiusOf(formula_),
-             .degree = formula_.degree >= 2 ? static_cast<double>(formula_.degree) : 2.0,
+             .degree = formula_.growth >= 2 ? static_cast<double>(formula_.growth) : 2.0,
              .homeHeight = formula_.space == FormulaSpace::line ? 4.0
-                           : formula_.unicritical               ? 3.2
-                           : formula_.degree >= 2               ? 4.0
-                                                                : 6.0,
+                           : formula_.unicritical || formula_.space == FormulaSpace::quaternion
+                               ? 3.2
+                           : formula_.degree >= 2 ? 4.0
+                                                  : 6.0,
              .source = "typed by you"};
     const int dimension = dimensionOf(formula_.space);
     kernels_ = rowOfDimension(dimension, info_, this, code_, true);

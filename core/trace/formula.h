@@ -72,6 +72,8 @@ struct Formula {
     std::vector<FormulaParameter> parameters;
     Tape tape;  // parameters component by component
 
+    // How fast it grows at infinity, |f(z)| ~ |z|^growth: the degree of a polynomial, else 0.
+    int growth = 0;
     // Of complex formulas: whether critical points may move with a number of the parameters. A sum
     // with and a product by what does not depend on z leave them where they are.
     std::vector<bool> movesCritical;

@@ -57,13 +57,14 @@ class Recorder {
     }
 
     bool failed() const { return failed_; }
+    bool full() const { return static_cast<int>(tape_.nodes.size()) > kFormulaNodes; }
 
     // All terms; the last value is the expression's.
     std::vector<Value> record(const Expression& expression) {
         std::vector<Value> values;
         for (const Term& term : expression.terms) {
             values.push_back(failed_ ? Value{} : apply(expression, term, values));
-            if (!failed_ && static_cast<int>(tape_.nodes.size()) > kFormulaNodes)
+            if (!failed_ && full())
                 fail(term.position, "the formula takes more than " + std::to_string(kFormulaNodes) +
                                         " operations up to here; make it shorter");
         }
@@ -552,6 +553,41 @@ std::vector<char> freeTerms(const Expression& expression) {
     return free;
 }
 
+// The degree of a polynomial in the state by its form, or -1.
+int growthOf(const Expression& expression) {
+    std::vector<int> all;
+    for (const Term& term : expression.terms) {
+        const auto of = [&](int operand) { return all[at(operand)]; };
+        int own = -1;
+        bool constant = term.kind != TermKind::variable;
+        for (int operand : {term.a, term.b, term.c})
+            if (operand >= 0) constant = constant && of(operand) == 0;
+        if (constant)
+            own = 0;
+        else if (term.kind == TermKind::variable)
+            own = 1;
+        else if (term.kind == TermKind::negate)
+            own = of(term.a);
+        else if (term.kind == TermKind::call)
+            own = term.index == static_cast<int>(Function::conj) ? of(term.a) : -1;
+        else if (term.kind == TermKind::divide)
+            own = of(term.b) == 0 ? of(term.a) : -1;
+        else if (term.kind == TermKind::power && of(term.a) >= 0) {
+            const Term& exponent = expression.terms[at(term.b)];
+            const double e = exponent.kind == TermKind::number ? exponent.number : -1;
+            own = e >= 0 && e <= kLargestWholePower && std::floor(e) == e
+                      ? of(term.a) * static_cast<int>(e)
+                      : -1;
+        } else if (term.b >= 0 && of(term.a) >= 0 && of(term.b) >= 0) {
+            if (term.kind == TermKind::add || term.kind == TermKind::subtract)
+                own = std::max(of(term.a), of(term.b));
+            if (term.kind == TermKind::multiply) own = of(term.a) + of(term.b);
+        }
+        all.push_back(std::min(own, 10000));
+    }
+    return all.back();
+}
+
 // The addends of a sum, or the factors of a product, that are not free of z.
 void gather(const Expression& expression, const std::vector<char>& free, int root, bool sum,
             std::vector<int>& parts) {
@@ -664,9 +700,11 @@ class Polynomial {
     }
     std::optional<Coefficients> product(const Coefficients& a, const Coefficients& b) {
         if (a.size() + b.size() - 2 > kMostDegree) return std::nullopt;
+        // Multiplied out, a formula may be much longer than it was.
         Coefficients result(a.size() + b.size() - 1, recorder_.real(0.0));
         for (std::size_t i = 0; i < a.size(); ++i)
             for (std::size_t j = 0; j < b.size(); ++j) {
+                if (recorder_.full()) return std::nullopt;
                 if (recorder_.isConstantZero(a[i]) || recorder_.isConstantZero(b[j])) continue;
                 const Value term = recorder_.multiply(a[i], b[j]);
                 result[i + j] = recorder_.isConstantZero(result[i + j])
@@ -744,6 +782,11 @@ bool recordFormula(const std::vector<Expression>& components, Formula& formula,
         return false;
     }
     formula.tape = simplified(tape);
+    for (const Expression& expression : components) {
+        const int growth = growthOf(expression);
+        formula.growth = growth < 0 || formula.growth < 0 ? -1 : std::max(formula.growth, growth);
+    }
+    formula.growth = std::max(formula.growth, 0);
     if (formula.space == FormulaSpace::complex) analyse(components[0], formula);
     return true;
 }

@@ -193,6 +193,8 @@ class Results(CommandLine):
         self.assertEqual(document["body"]["formula"], "z^3 - a*z + conj(c)")
         self.good("render", self.path("a.png"), "-o", self.path("b.png"), "--threads", "3")
         self.assertEqual(self.read("a.png"), self.read("b.png"))
+        self.good("render", self.path("a.png"), "-o", self.path("b.png"), "--set",
+                  "formula=z^4 + b", "--set", "b=0.1,0.2", "--size", "8x8")
         # A preset keeps its colours and takes a map.
         self.good("render", "mandelbrot", "--map", "c*sin(z)", "-o", self.path("c.png"),
                   "--size", "20x20")

@@ -125,5 +125,16 @@ TEST(GpuFields, EveryMapAtHome) {
     }
 }
 
+TEST(GpuFields, TypedFormulas) {
+    for (const char* text :
+         {"z^2 + c", "z^3 - a*z + conj(c); a = 0.6", "c*sin(z); c = 1 + 0.2i",
+          "(abs(re(z)) + i*abs(im(z)))^2 + c; c = -0.5 - 0.3i",
+          "x' = 1 - a*x^2 + y, y' = b*x; a = 1.2; b = 0.3", "q^2 + c; c = 0.2 + 0.3j"}) {
+        Scene scene = *sceneOfMap(text);
+        scene.iterations = 60;
+        compare(scene, 99);
+    }
+}
+
 }  // namespace
 }  // namespace versorium

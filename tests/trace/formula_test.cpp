@@ -229,6 +229,10 @@ TEST(Formula, IsBounded) {
     std::string nested = "z";
     for (int k = 0; k < 60; ++k) nested = "asin(" + nested + ")";
     refused(nested, "more than 4000 operations");
+    // Multiplied out this would be a million operations: its critical points are found otherwise.
+    std::string powers = "z";
+    for (int k = 1; powers.size() < 700; ++k) powers += "+(z-" + std::to_string(k) + "a)^30";
+    EXPECT_EQ(read(powers).degree, 0);
     // As long as it may be, and no deeper than a sum.
     std::string sum = "z";
     while (sum.size() + 2 <= 1000) sum += "+z";
@@ -328,6 +332,10 @@ TEST(Formula, KnowsPolynomialsAndWhatMovesCriticalPoints) {
         EXPECT_EQ(formula.movesCritical, moves) << text;
     };
     facts("z^2 + c", 2, true, {false, false});
+    EXPECT_EQ(read("conj(z)^3*z - c").growth, 4);
+    EXPECT_EQ(read("q^3 + c").growth, 3);
+    EXPECT_EQ(read("x' = y*x^2, y' = x").growth, 3);
+    EXPECT_EQ(read("z^2 + sin(z)").growth, 0);
     facts("z^5 + a*c", 5, true, {false, false, false, false});
     facts("c*sin(z)", 0, false, {false, false});
     facts("c*z*(1 - z) + 2", 2, false, {false, false});
