@@ -94,6 +94,7 @@ void parameters(StudioContext& context) {
                            std::min(parameter.high, 2.0));
             ImGui::SameLine();
             ImGui::BeginGroup();
+            if (info.parameters.size() > 1) ImGui::TextDisabled("%s", name.c_str());
         }
         for (int k = 0; k < width; ++k) {
             const std::string part = parameterComponent(info, component + k);

@@ -351,6 +351,11 @@ TEST(Formula, SurvivesAnyText) {
         ")",    ",",   ";",    "'",     "=", "->", "2",    "0.5", "1e9",  "i",    "j",    "pi",
         "sin(", "if(", "min(", "conj(", " ", "<",  "==",   "and", "not",  "?",    ":",    ".re",
         "in",   "[",   "]",    "real",  "²", "π",  "\xff", "\n",  "abs(", "x' =", "y' =", "1e400"};
+    const std::vector<std::string> whole = {
+        "z^3 - a*z + conj(c); a: real = 0.5 in [0, 4]; c = -0.75 + 0.1i",
+        "x' = 1 - a*x^2 + y, y' = b*x; a = 1.4; b = 0.3",
+        "if(abs(z) < 1 and not re(z) >= 2, sin(z)/2, z^-2.5) + c", "q^2*i + exp(c).x*j",
+        "z -> (|z| < 1 ? 2z : z³) + π"};
     Random random(77);
     int good = 0;
     for (int k = 0; k < 30000; ++k) {
@@ -359,6 +364,16 @@ TEST(Formula, SurvivesAnyText) {
         for (int i = 0; i < length; ++i)
             text += pieces[static_cast<std::size_t>(
                 random.uniform(0, static_cast<double>(pieces.size())))];
+        if (k % 3 == 0) {
+            text = whole[static_cast<std::size_t>(k / 3) % whole.size()];
+            for (int edits = k % 4; edits >= 0; --edits) {
+                const auto place =
+                    static_cast<std::size_t>(random.uniform(0, static_cast<double>(text.size())));
+                const std::string& piece = pieces[static_cast<std::size_t>(
+                    random.uniform(0, static_cast<double>(pieces.size())))];
+                edits % 2 ? text.erase(place, 1) : text.insert(place, piece);
+            }
+        }
         if (k % 10 == 0)
             for (char& c : text) c = static_cast<char>(random.uniform(1, 255));
         FormulaFault fault;
@@ -370,7 +385,7 @@ TEST(Formula, SurvivesAnyText) {
             EXPECT_FALSE(fault.message.empty());
         }
     }
-    EXPECT_GT(good, 30);
+    EXPECT_GT(good, 300);
 }
 
 std::string randomTerm(Random& random, int depth, bool truth = false) {
