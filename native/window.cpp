@@ -108,6 +108,7 @@ Status openInto(Studio& studio, const std::string& what) {
     const std::vector<std::string> names = presetNames();
     if (std::find(names.begin(), names.end(), what) != names.end()) return studio.openPreset(what);
     const Expected<Bytes> bytes = readFile(what, kOpenBytes);
+    if (!bytes && looksLikeFormula(what) && FormulaMap::make(what)) return studio.openFormula(what);
     if (!bytes)
         return bytes.status().in("\"" + what + "\" is no preset, and as a file it does not open");
     return studio.openBytes(what, *bytes);

@@ -25,6 +25,7 @@ struct Trap {
 // for each override, in this order.
 struct OrbitProgram {
     const MapKernels* map = nullptr;
+    std::shared_ptr<const void> keeps;  // what the map stands in, if not in the catalogue
     std::vector<BoundList> lists;
     std::shared_ptr<const DistanceField> field;
     Slice slice;

@@ -52,7 +52,8 @@ void OrbitLanes::fillStart(const double* const* coordinates) {
 void OrbitLanes::criticalStart(int axis) {
     const MapKernels& map = *program_->map;
     bool moves = false;
-    for (const Values& values : parameters_) moves = moves || values.varies;
+    for (std::size_t k = 0; k < parameters_.size(); ++k)
+        moves = moves || (parameters_[k].varies && movesCritical(map, static_cast<int>(k)));
     for (const Values& values : overrides_) moves = moves || values.varies;
     Environment<double> environment;
     for (std::size_t k = 0; k < program_->lists.size(); ++k)
@@ -113,6 +114,7 @@ OrbitBatch<double> OrbitLanes::batch(bool withSlopes) {
         batch.parameters[k] = {parameters_[k].numbers.data(), parameters_[k].varies};
     for (std::size_t k = 0; k < program_->lists.size(); ++k) batch.lists[k] = &program_->lists[k];
     batch.field = program_->field.get();
+    batch.program = program_->map->program();
     batch.overrideCount = static_cast<int>(overrides_.size());
     for (std::size_t k = 0; k < overrides_.size(); ++k) {
         const auto& number = program_->overrides[k];

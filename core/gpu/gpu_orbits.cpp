@@ -87,7 +87,8 @@ class CriticalStart {
         const auto dimension = static_cast<std::size_t>(program_.map->dimension);
         bool moves = false;
         for (std::size_t k = dimension; k < numbers_.size(); ++k)
-            moves = moves || numbers_[k].right != 0 || numbers_[k].up != 0;
+            moves = moves || ((numbers_[k].right != 0 || numbers_[k].up != 0) &&
+                              movesCritical(*program_.map, static_cast<int>(k - dimension)));
         if (moves && program_.map->criticalPoints == 0)
             return refused("its critical points are solved for at each pixel");
         Point middle;

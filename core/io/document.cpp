@@ -230,11 +230,11 @@ Status assign(Scene& scene, const Assignment& assignment) {
     if (scene.lists.contains(key) && !value.starts_with("{"))
         return assignList(scene.lists[key], value);
     if (key == "shape" && mapOf(scene).info.field) return assignShape(scene, value);
-    if (key == "map") {
-        const MapKernels* map = findMap(value);
-        if (!map) return refused(assignment, "no such map; see \"versorium maps\"");
+    if (key == "map" || key == "formula") {
+        Expected<Scene> chosen = sceneOfMap(value);
+        if (!chosen) return refused(assignment, chosen.status().message());
         const Scene old = std::move(scene);
-        scene = sceneOf(*map);
+        scene = std::move(*chosen);
         scene.colour = old.colour;
         scene.samples = old.samples;
         return {};

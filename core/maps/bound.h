@@ -11,6 +11,7 @@
 #include "maps/layout.h"
 #include "shape/field.h"
 #include "trace/expr.h"
+#include "trace/program.h"
 
 namespace versorium {
 
@@ -34,6 +35,7 @@ struct Environment {
     const DistanceField* field = nullptr;
     Override<R> overrides[kMostOverrides] = {};
     int overrideCount = 0;
+    const TapeCode* program = nullptr;  // of a typed formula
 
     int listSize(int list) const { return static_cast<int>(lists[list]->size()); }
     R listItem(int list, int item, int component) const {

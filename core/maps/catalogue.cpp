@@ -6,6 +6,7 @@
 
 #include "maps/apply.h"
 #include "maps/catalogue_maps.h"
+#include "maps/formula_map.h"
 
 namespace versorium {
 
@@ -126,6 +127,10 @@ std::vector<KernelTarget> allTargets() {
 }
 
 }  // namespace
+
+Tape MapKernels::trace() const { return formula ? formula->formula().tape : record(); }
+
+const TapeCode* MapKernels::program() const { return formula ? &formula->code() : nullptr; }
 
 std::span<const MapKernels> catalogue() { return rowsOf(AllMaps{}); }
 

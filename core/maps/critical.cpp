@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "maps/critical_starts.h"
+#include "maps/formula_map.h"
 
 namespace versorium {
 namespace {
@@ -122,6 +123,13 @@ std::vector<Candidate> solvedPoints(const MapKernels& map, const double* paramet
 
 bool hasCriticalPoints(const MapKernels& map) { return map.criticalPoints > 0 || map.stepSecond; }
 
+bool movesCritical(const MapKernels& map, int number) {
+    if (!map.formula) return true;
+    const std::vector<bool>& moves = map.formula->formula().movesCritical;
+    const auto at = static_cast<std::size_t>(number);
+    return at >= moves.size() || moves[at];
+}
+
 bool criticalPoint(const MapKernels& map, int k, const double* parameters,
                    const Environment<double>& environment, double* point,
                    const double* parameterSlopes, const double* overrideSlopes, double* slope) {
@@ -139,6 +147,13 @@ bool criticalPoint(const MapKernels& map, int k, const double* parameters,
         return true;
     }
     if (!map.stepSecond) return false;
+    // What does not move them takes a value of its own, so that they are the same to the last bit
+    // for all values, and found also where it is 0.
+    std::array<double, kMostParameters> settled;
+    std::copy_n(parameters, map.parameters, settled.begin());
+    for (int i = 0; i < map.parameters; ++i)
+        if (!movesCritical(map, i)) settled[static_cast<std::size_t>(i)] = 1;
+    parameters = settled.data();
     const auto all = solvedPoints(map, parameters, environment);
     if (static_cast<std::size_t>(k) >= all.size()) return false;
     const Plane2 at = all[static_cast<std::size_t>(k)].point;

@@ -18,6 +18,10 @@ namespace versorium {
 // Whether the map may have critical points that can be named at all.
 bool hasCriticalPoints(const MapKernels& map);
 
+// Whether critical points may move with a number: of the parameters, component by component, and
+// behind them one for each override. What a typed formula adds, or is multiplied by, moves none.
+bool movesCritical(const MapKernels& map, int number);
+
 // The k-th critical point for these parameters; false where there is none. `slope`, when not null,
 // receives its derivative along the direction of `parameterSlopes` and `overrideSlopes`, one for
 // each override of the environment.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "maps/formula_map.h"
 #include "math/elementary.h"
 
 namespace versorium {
@@ -111,10 +112,38 @@ std::vector<C> rationalStarts(const std::vector<Factor>& factors) {
     });
 }
 
+// The zeros of a polynomial, its coefficients from the constant one on.
+std::vector<C> polynomialStarts(std::vector<C> k) {
+    while (!k.empty() && !(squaredNorm(k.back()) > 0)) k.pop_back();
+    if (k.size() < 2) return {};
+    // Cauchy's bound, halved: the zeros lie within, or not far from it.
+    double radius = 0;
+    for (std::size_t i = 0; i + 1 < k.size(); ++i)
+        radius = std::max(radius, size(k[i]) / size(k.back()));
+    if (radius == 0) return {C{0, 0}};
+    const C centre{0.013 * radius, -0.007 * radius};
+    std::vector<C> z;
+    for (std::size_t i = 0; i + 1 < k.size(); ++i) {
+        const double angle =
+            0.4 + kTwoPi * static_cast<double>(i) / static_cast<double>(k.size() - 1);
+        z.push_back(centre + C{0.5 * (1 + radius) * cos(angle), 0.5 * (1 + radius) * sin(angle)});
+    }
+    return aberth(std::move(z), [&](const C& at) {
+        C value = k.back(), slope{0, 0};
+        for (std::size_t i = k.size() - 1; i-- > 0;) {
+            slope = slope * at + value;
+            value = value * at + k[i];
+        }
+        // Nothing is left to do on a zero: a step of 0.
+        return squaredNorm(value) > 0 ? slope / value : C{1e300, 0};
+    });
+}
+
 }  // namespace
 
 std::vector<Complex<double>> criticalStarts(const MapKernels& map, const double* parameters,
                                             const Environment<double>& environment) {
+    if (map.formula) return polynomialStarts(map.formula->slope(parameters));
     std::vector<Factor> factors;
     std::vector<C> all;
     if (map.info.name == "newton") {

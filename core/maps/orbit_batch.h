@@ -36,6 +36,8 @@ struct OrbitBatch {
     };
     Override overrides[kMostOverrides];
     int overrideCount = 0;
+    // Of a typed formula: what a step does.
+    const TapeCode* program = nullptr;
 
     // escape: the least n in 0 … iterations with !(|z_n|² <= squaredRadius), or iterations + 1.
     T squaredRadius = 4;
@@ -76,7 +78,8 @@ struct KernelTarget {
     const char* name;  // "x86-64-v3", "simd128"
     Flavour flavour;
     bool (*available)();
-    const BatchRow<double>* doubles;  // in the catalogue's order
+    // In the catalogue's order, then typed formulas of dimension 1, 2 and 4.
+    const BatchRow<double>* doubles;
     const BatchRow<float>* floats;
 };
 

@@ -118,7 +118,8 @@ std::vector<std::string> builtinMeshes() {
 
 double automaticRadius(const Scene& scene) {
     const MapInfo& info = mapOf(scene).info;
-    const bool quadratic = info.name == "quadratic" || info.name == "quaternion-quadratic";
+    const bool typed = scene.formula && (info.formula == "z^2 + c" || info.formula == "q^2 + c");
+    const bool quadratic = typed || info.name == "quadratic" || info.name == "quaternion-quadratic";
     if (!quadratic) return info.escapeRadius;
     for (const SliceAxis& axis : scene.slice.axes)
         for (const auto& [name, weight] : axis.terms)
@@ -186,6 +187,7 @@ Expected<OrbitProgram> Binder::bind(const Scene& scene, Job& job) {
     const MapKernels& map = mapOf(scene);
     OrbitProgram program;
     program.map = &map;
+    program.keeps = scene.formula;
     for (std::string_view name : map.info.lists) {
         const RootList& list = scene.lists.at(std::string(name));
         program.lists.push_back(list.roots);

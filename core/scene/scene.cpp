@@ -27,6 +27,7 @@ RootList defaultRoots(const MapInfo& info, std::string_view list) {
 }  // namespace
 
 const MapKernels& mapOf(const Scene& scene) {
+    if (scene.formula) return scene.formula->kernels();
     const MapKernels* map = findMap(scene.map);
     assert(map);
     return *map;
@@ -35,6 +36,7 @@ const MapKernels& mapOf(const Scene& scene) {
 Scene sceneOf(const MapKernels& map) {
     Scene scene;
     scene.map = std::string(map.info.name);
+    if (map.formula) scene.formula = map.formula->shared_from_this();
     for (const ParameterInfo& parameter : map.info.parameters)
         scene.parameters[std::string(parameter.name)].assign(
             parameter.value.begin(), parameter.value.begin() + widthOf(parameter.kind));
@@ -57,6 +59,19 @@ Scene sceneOf(const MapKernels& map) {
     }
     if (map.info.field) scene.iterations = 3;
     return scene;
+}
+
+Expected<Scene> sceneOfMap(const std::string& nameOrFormula) {
+    if (const MapKernels* map = findMap(nameOrFormula)) return sceneOf(*map);
+    const bool variable = nameOrFormula.size() == 1;
+    if (!looksLikeFormula(nameOrFormula) && !variable)
+        return Status::usage("no map is named \"" + nameOrFormula +
+                             "\" (\"versorium maps\" lists them), and a formula looks like "
+                             "z^2 + c");
+    FormulaFault fault;
+    Expected<std::shared_ptr<const FormulaMap>> map = FormulaMap::make(nameOrFormula, &fault);
+    if (!map) return Status::usage("formula: " + withCaret(nameOrFormula, fault));
+    return sceneOf((*map)->kernels());
 }
 
 std::string addAsset(Scene& scene, Asset asset) {

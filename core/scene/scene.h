@@ -16,6 +16,7 @@
 #include "colour/scale.h"
 #include "geometry/roots.h"
 #include "maps/catalogue.h"
+#include "maps/formula_map.h"
 
 namespace versorium {
 
@@ -94,7 +95,8 @@ inline constexpr std::size_t kMostFrames = 1000;
 
 struct Scene {
     static constexpr int kVersion = 1;
-    std::string map = "quadratic";
+    std::string map = "quadratic";              // of the catalogue, or "formula"
+    std::shared_ptr<const FormulaMap> formula;  // what was typed, where the map is "formula"
     std::map<std::string, std::vector<double>> parameters;  // every one of the map's
     std::vector<double> start;                              // dimension numbers
     std::optional<int> criticalStart;                       // instead of `start`
@@ -121,6 +123,9 @@ inline constexpr std::size_t kMostAssetBytes = 32u << 20;
 const MapKernels& mapOf(const Scene& scene);
 // The map's own view: its dynamical plane with its default parameters.
 Scene sceneOf(const MapKernels& map);
+// The name of a map of the catalogue, or a formula. ErrorKind::usage where it is neither, with a ^
+// below the character of a formula.
+Expected<Scene> sceneOfMap(const std::string& nameOrFormula);
 
 // Strict: ErrorKind::data with the path of the fault. Unknown keys, NaN and newer versions are
 // refused; what is absent takes the map's default.

@@ -334,6 +334,21 @@ Expected<Scene> sceneFromJson(const Json& value) {
     reader.text("map", name);
     if (reader.failed()) return reader.finish();
     const MapKernels* map = findMap(name);
+    std::shared_ptr<const FormulaMap> typed;  // keeps the map
+    if (name == kFormulaName) {
+        std::string text;
+        reader.text("formula", text);
+        if (!reader.has("formula"))
+            reader.fail("formula",
+                        "is missing: what the map \"formula\" does, such as \"z^2 + c\"");
+        if (reader.failed()) return reader.finish();
+        Expected<std::shared_ptr<const FormulaMap>> made = FormulaMap::make(text);
+        if (!made) return Status::data("formula, " + made.status().message());
+        typed = *made;
+        map = &typed->kernels();
+    } else if (reader.has("formula")) {
+        return Status::data("formula: stands beside \"map\": \"formula\" only");
+    }
     if (!map)
         return Status::data("map: no map is named \"" + name +
                             "\"; the command \"versorium maps\" lists them");
@@ -374,6 +389,7 @@ Json sceneToJson(const Scene& scene) {
     Json json;
     json["versorium"] = Scene::kVersion;
     json["map"] = scene.map;
+    if (scene.formula) json["formula"] = scene.formula->formula().text;
     Json parameters = Json::object();
     for (const ParameterInfo& parameter : mapOf(scene).info.parameters) {
         const auto& value = scene.parameters.at(std::string(parameter.name));

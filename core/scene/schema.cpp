@@ -15,7 +15,7 @@ Json words(const std::vector<std::string>& list) {
 // Types follow from the values; descriptions stand by path.
 const std::pair<const char*, const char*> kDescriptions[] = {
     {"versorium", "version of this format"},
-    {"map", "name of the map; \"versorium maps\" lists them"},
+    {"map", "name of the map; \"versorium maps\" lists them; \"formula\" is one's own"},
     {"parameters", "every parameter of the map, by name; numbers, or lists of components"},
     {"start",
      "starting point, or {\"critical\": k}: the k-th critical point, solved at each pixel"},
@@ -79,6 +79,7 @@ Json allowedWords(const std::string& path) {
         for (const FieldInfo& field : allFields()) all.push_back(std::string(field.name));
     if (path == "map")
         for (const MapKernels& map : catalogue()) all.push_back(std::string(map.info.name));
+    if (path == "map") all.push_back(std::string(kFormulaName));
     return all;
 }
 
@@ -138,6 +139,10 @@ Json sceneSchema() {
     schema["properties"]["assets"] = Json{
         {"type", "object"},
         {"description", "files that the scene needs, by SHA-256: {\"name\", \"data\" in base64}"}};
+    schema["properties"]["formula"] =
+        Json{{"type", "string"},
+             {"description",
+              "what the map \"formula\" does, such as \"z^2 + c\"; its names are the parameters"}};
     for (auto item = schema.begin(); item != schema.end(); ++item) result[item.key()] = *item;
     // Defaults depend on the map: these are the parameters and the home view of each.
     for (const MapKernels& map : catalogue()) {

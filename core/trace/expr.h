@@ -3,6 +3,8 @@
 // Expr: a number that records what is done to it on a Tape. An Expr without a tape is a constant
 // and joins the tape of whatever it meets. Truth: what comparisons of Expr give.
 
+#include <cassert>
+
 #include "math/power.h"
 #include "trace/tape.h"
 

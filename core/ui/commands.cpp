@@ -248,6 +248,8 @@ void drawSearch(StudioContext& context) {
                            [&context, name] { context.newMap(name); }});
     }
     for (Command& command : commandsOf(context)) entries.push_back(std::move(command));
+    for (Command& command : formulaCommands(context, question))
+        entries.push_back(std::move(command));
     const Command* chosen = nullptr;
     bool first = true;
     ImGui::BeginChild("entries");

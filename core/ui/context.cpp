@@ -48,6 +48,7 @@ StudioContext::StudioContext(Host& shell)
     for (std::size_t k = 0; k < kRendererWords.size(); ++k)
         if (stored == kRendererWords[k]) renderer = static_cast<RendererChoice>(k);
     gallery.load(host);
+    formulas.load(host);
 }
 
 void StudioContext::animate(const std::string& name, double low, double high) {

@@ -14,6 +14,7 @@
 #include "render/bind.h"
 #include "render/viewport.h"
 #include "ui/export_document.h"
+#include "ui/formulas.h"
 #include "ui/gallery.h"
 #include "ui/host.h"
 #include "ui/live_picture.h"
@@ -86,6 +87,8 @@ struct StudioContext {
     FileList files;
     int galleryAt = 0;  // the entry that the keys have come to: presets first, then recent ones
     Gallery gallery;
+    SavedFormulas formulas;
+    FormulaEditor formula;
     ExportOptions exporting;
     bool copying = false;  // the export goes to the clipboard
     std::string notice;    // the last thing that was done or went wrong

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "maps/critical.h"
 #include "render/renderer.h"
 
 namespace versorium {
@@ -75,6 +76,10 @@ class Collector {
              {}},
             change);
     }
+    void text(const std::string& id, const std::string& label, const std::string& value,
+              std::function<bool(const std::string&)> set) {
+        entries.push_back({{id, group_, label, ControlKind::text, value, 0, {}}, std::move(set)});
+    }
     // Commands touch the workspace themselves.
     void command(const std::string& id, const std::string& label, const std::string& keys,
                  std::function<void()> run) {
@@ -109,12 +114,40 @@ void collectMap(StudioContext& context, Collector& all) {
     };
     std::vector<std::string> names;
     for (const MapKernels& map : catalogue()) names.push_back(called(map.info));
+    if (context.workspace.views[0].formula)
+        names.push_back(called(mapOf(context.workspace.views[0]).info));
     StudioContext* c = &context;
     all.choice("map", "map", called(mapOf(context.workspace.views[0]).info), names,
                [c, called](const std::string& name) {
                    for (const MapKernels& map : catalogue())
                        if (called(map.info) == name) return c->newMap(std::string(map.info.name));
                });
+    const std::shared_ptr<const FormulaMap> typed = context.workspace.views[0].formula;
+    all.text("formula", "formula of your own", typed ? typed->formula().text : std::string(),
+             [c, typed](const std::string& text) {
+                 if (text.empty() && !typed) return true;
+                 const Status status = applyFormula(*c, text);
+                 c->report(status);
+                 if (status.ok()) c->welcome = false;
+                 return status.ok();
+             });
+    if (typed)
+        all.text("save formula", "name to save the formula under", "",
+                 [c, typed](const std::string& name) {
+                     if (name.empty()) return true;
+                     const Status status = c->formulas.save(c->host, name, typed->formula().text);
+                     status.ok() ? c->say("The formula is saved as " + name) : c->report(status);
+                     return status.ok();
+                 });
+    if (!context.formulas.all().empty()) {
+        std::vector<std::string> saved;
+        for (const SavedFormula& one : context.formulas.all()) saved.push_back(one.name);
+        const auto chosen = [c](const std::string& name) {
+            for (const SavedFormula& one : c->formulas.all())
+                if (one.name == name) return c->report(applyFormula(*c, one.text));
+        };
+        all.choice("saved formula", "open a saved formula", "", saved, chosen);
+    }
     // Nothing is chosen: a preset is a beginning, not a state.
     std::vector<std::string> presets = presetNames();
     all.choice("preset", "open a preset", "", presets, [c](const std::string& name) {
@@ -213,7 +246,7 @@ void collectSlice(StudioContext& context, Collector& all) {
                1e6, [c](double value) { c->workspace.view().slice.height = value; });
     all.number("samples", "samples along a pixel", scene.samples, 1, 1, kMostSamples,
                [c](double value) { c->workspace.view().samples = static_cast<int>(value); });
-    if (map.criticalPoints > 0 && showsParameters(scene))
+    if (hasCriticalPoints(map) && showsParameters(scene))
         all.toggle("critical", "start at the critical point", scene.criticalStart.has_value(),
                    [c](bool on) {
                        std::optional<int>& start = c->workspace.view().criticalStart;
@@ -334,6 +367,8 @@ const char* kindName(ControlKind kind) {
             return "toggle";
         case ControlKind::colour:
             return "colour";
+        case ControlKind::text:
+            return "text";
         default:
             return "command";
     }

@@ -11,14 +11,14 @@
 
 namespace versorium {
 
-enum class ControlKind { number, choice, toggle, colour, command };
+enum class ControlKind { number, choice, toggle, colour, text, command };
 
 struct Control {
     std::string id;  // stays the same while the map does
     std::string group, label;
     ControlKind kind = ControlKind::command;
-    // What it is now: a number, one of the options, "on" or "off", "#rrggbb"; the keys of a
-    // command.
+    // What it is now: a number, one of the options, "on" or "off", "#rrggbb", a text; the keys
+    // of a command.
     std::string value;
     double step = 0;  // of a number, for one stroke of a key
     std::vector<std::string> options;

@@ -25,7 +25,8 @@ Expected<Scene> sceneOfEntry(const Gallery::Entry& entry) {
 }  // namespace
 
 std::string titleOf(const Workspace& workspace) {
-    return std::string(mapOf(workspace.view()).info.title) + " · " +
+    const MapInfo& info = mapOf(workspace.view()).info;
+    return std::string(workspace.view().formula ? info.formula : info.title) + " · " +
            formatNumber(workspace.view().slice.height, 2);
 }
 

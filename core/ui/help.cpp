@@ -15,6 +15,12 @@ struct Help {
 
 constexpr Help kHelp[] = {
     {"map", "Which map is iterated. Its formula stands below."},
+    {"formula",
+     "A map of your own: z is complex, q a quaternion, x real, and x' = …, y' = … the plane. Other "
+     "names are parameters. Enter takes it."},
+    {"formula name", "What the formula is to be called in the list of maps."},
+    {"save formula", "Keeps the formula under this name, for the list of maps and for Find."},
+    {"forget formula", "Takes the formula out of the saved ones. The picture stays."},
     {"find", "Finds maps, presets, recent scenes and commands by any part of their name."},
     {"gallery", "Presets and the scenes of last time, as pictures."},
     {"open", "Opens a scene, a picture that carries one, a mesh, an image or a palette."},

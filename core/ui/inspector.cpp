@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "maps/critical.h"
 #include "render/colouring.h"
 #include "ui/context.h"
 #include "ui/help.h"
@@ -93,6 +94,7 @@ void parameters(StudioContext& context) {
                            std::min(parameter.high, 2.0));
             ImGui::SameLine();
             ImGui::BeginGroup();
+            if (info.parameters.size() > 1) ImGui::TextDisabled("%s", name.c_str());
         }
         for (int k = 0; k < width; ++k) {
             const std::string part = parameterComponent(info, component + k);
@@ -180,7 +182,7 @@ void sliceControls(StudioContext& context) {
         borderControls(context);
         ImGui::TreePop();
     }
-    if (mapOf(scene).criticalPoints > 0 && showsParameters(scene)) {
+    if (hasCriticalPoints(mapOf(scene)) && showsParameters(scene)) {
         bool critical = scene.criticalStart.has_value();
         if (ImGui::Checkbox("start at the critical point", &critical)) {
             if (critical)
@@ -337,6 +339,7 @@ void drawInspector(StudioContext& context) {
         ImGui::BeginCombo("##map", std::string(info.title).c_str(), ImGuiComboFlags_HeightLarge);
     if (!open) explain("map");
     if (open) {
+        drawFormulaChoices(context);
         for (const MapKernels& map : catalogue())
             if (ImGui::Selectable(std::string(map.info.title).c_str(),
                                   map.info.name == info.name) &&
@@ -347,10 +350,13 @@ void drawInspector(StudioContext& context) {
         ImGui::EndCombo();
     }
     const MapInfo& shown = mapOf(workspace.views[0]).info;
-    ImGui::PushTextWrapPos();
-    ImGui::TextUnformatted(shown.formula.data(), shown.formula.data() + shown.formula.size());
-    ImGui::PopTextWrapPos();
-    explainBy(shown.source);
+    if (!workspace.views[0].formula) {
+        ImGui::PushTextWrapPos();
+        ImGui::TextUnformatted(shown.formula.data(), shown.formula.data() + shown.formula.size());
+        ImGui::PopTextWrapPos();
+        explainBy(shown.source);
+    }
+    drawFormulaPanel(context);
     if (ImGui::Button("Gallery")) context.galleryOpen = true;
     explain("gallery");
     ImGui::SameLine();

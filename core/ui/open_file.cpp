@@ -271,7 +271,12 @@ Status openText(StudioContext& context, const std::string& given) {
     if (text[0] == '{') return openJson(context, "the clipboard", text).in("the clipboard");
     if (text.starts_with("file://")) return openFile(context, text.substr(7));
     if (text[0] == '/' && text.find('\n') == std::string::npos) return openFile(context, text);
-    return Status::usage("what is on the clipboard is no link, no scene and no palette");
+    if (looksLikeFormula(text) && FormulaMap::make(text)) {
+        context.welcome = false;
+        return applyFormula(context, text);
+    }
+    return Status::usage(
+        "what is on the clipboard is no link, no scene, no palette and no formula");
 }
 
 }  // namespace versorium

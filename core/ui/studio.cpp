@@ -313,6 +313,11 @@ Status Studio::openPreset(const std::string& name) {
     return {};
 }
 
+Status Studio::openFormula(const std::string& text) {
+    state_->context.welcome = false;
+    return applyFormula(state_->context, text);
+}
+
 Status Studio::openBytes(const std::string& name, std::span<const unsigned char> bytes) {
     return versorium::openBytes(state_->context, name, bytes);
 }

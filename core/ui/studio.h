@@ -36,6 +36,7 @@ class Studio {
     // A preset's name, or what a file holds (ui/open_file.h). On failure everything stays as it
     // was.
     Status openPreset(const std::string& name);
+    Status openFormula(const std::string& text);
     Status openBytes(const std::string& name, std::span<const unsigned char> bytes);
     // The part of a link behind the '#', checked like any foreign input.
     Status openFragment(const std::string& fragment);

@@ -91,7 +91,7 @@ Scene parameterView(const Scene& like) {
         scene.slice.centreLow.push_back(0);
     }
     scene.slice.height = kParameterHeight;
-    if (map.info.name == "quadratic") scene.slice.centre[0] = -0.65;
+    if (map.info.formula == "z^2 + c") scene.slice.centre[0] = -0.65;
     // A planar map may have a whole curve of critical points, or none: the origin, as A
     // section 4.2.
     if (map.info.algebra == Algebra::plane)

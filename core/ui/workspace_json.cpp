@@ -18,7 +18,7 @@ constexpr int kLinkIterations = 100000;
 Json differences(const Json& value, const Json& standard) {
     Json result = Json::object();
     for (const auto& [key, member] : value.items()) {
-        if (key == "versorium" || key == "map") {
+        if (key == "versorium" || key == "map" || key == "formula") {
             result[key] = member;
             continue;
         }
@@ -47,7 +47,7 @@ Status checkWelded(const Workspace& workspace) {
     const Json first = sceneToJson(workspace.views[0]);
     for (std::size_t k = 1; k < workspace.views.size(); ++k) {
         const Json other = sceneToJson(workspace.views[k]);
-        for (const char* key : {"map", "parameters", "lists", "shape"})
+        for (const char* key : {"map", "formula", "parameters", "lists", "shape"})
             // Views of an analysis have places of their own.
             if (!(workspace.analysis() && key == std::string("parameters")) &&
                 first.value(key, Json()) != other.value(key, Json()))

@@ -17,8 +17,8 @@ namespace {
 
 // What the commands of this file share.
 struct DynamicsRequest {
-    std::string scene, output = "-";
-    std::vector<std::string> sets;
+    SceneRequest source;
+    std::string output = "-";
     std::vector<double> window;  // left, right, bottom, top
     int period = 1, across = 0;
     double length = 60;
@@ -32,7 +32,7 @@ struct OpenedSystem {
 };
 
 Expected<OpenedSystem> openSystem(const DynamicsRequest& request, Job& job) {
-    Expected<OpenedScene> opened = openScene(request.scene, request.sets);
+    Expected<OpenedScene> opened = openScene(request.source);
     if (!opened) return opened.status();
     Binder binder;
     Expected<System> system = systemOf(binder, opened->scene, job);
@@ -236,7 +236,7 @@ std::vector<std::string> slicedNames(const Scene& scene) {
 
 Status explain(const DynamicsRequest& request, int threads) {
     Job job(threads);
-    Expected<OpenedScene> opened = openScene(request.scene, request.sets);
+    Expected<OpenedScene> opened = openScene(request.source);
     if (!opened) return opened.status();
     const Scene& scene = opened->scene;
     Binder binder;
@@ -296,10 +296,7 @@ void addDynamicsCommands(CommandLine& line) {
     const auto request = std::make_shared<DynamicsRequest>();
     const auto add = [&](const char* name, const char* help, const char* examples) {
         CLI::App* command = line.add(name, help, examples);
-        command
-            ->add_option("SCENE", request->scene, "preset, map, scene file, PNG with a scene, or -")
-            ->required();
-        command->add_option("--set", request->sets, "KEY=VALUE; may be given several times");
+        addSceneOptions(*command, request->source);
         command->add_flag("--json", request->json, "as JSON");
         return command;
     };

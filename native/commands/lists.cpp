@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
 #include "colour/palette.h"
 #include "commands/commands.h"
+#include "maps/critical.h"
 #include "plate/plate_picture.h"
 #include "render/bind.h"
 #include "render/glsl/shader.h"
@@ -47,6 +50,8 @@ Status listMaps(bool json) {
         text += padded(std::string(map.info.name), 36) + padded(std::string(map.info.formula), 44) +
                 std::string(algebraName(map.info.algebra)) + "\n";
     }
+    text += padded("a formula of your own", 36) + padded("'z^3 - a*z + c', …", 44) +
+            "see versorium formula --help\n";
     return print(json ? printJson(all) : text);
 }
 
@@ -73,10 +78,52 @@ Status listPalettes(bool json) {
 }
 
 Status printGlsl(const std::string& name) {
-    const MapKernels* map = findMap(name);
-    if (!map)
-        return Status::usage("no map is named \"" + name + "\"; \"versorium maps\" lists them");
-    return print(escapeShader(map->trace()));
+    Expected<Scene> scene = sceneOfMap(name);
+    if (!scene) return scene.status();
+    return print(escapeShader(mapOf(*scene).trace()));
+}
+
+std::string numberText(const double* value, int width) {
+    std::string text;
+    for (int k = 0; k < width; ++k) text += (k > 0 ? ", " : "") + formatNumber(value[k]);
+    return text;
+}
+
+// What a formula was read as: its normal form, where it lives, its parameters and critical points.
+Status explainFormula(const std::string& text, bool json) {
+    FormulaFault fault;
+    const auto map = FormulaMap::make(text, &fault);
+    if (!map) return Status::usage("formula: " + withCaret(text, fault));
+    const Formula& formula = (*map)->formula();
+    const MapKernels& kernels = (*map)->kernels();
+    std::vector<double> values;
+    for (const ParameterInfo& parameter : kernels.info.parameters)
+        values.insert(values.end(), parameter.value.begin(),
+                      parameter.value.begin() + widthOf(parameter.kind));
+    values.push_back(0);
+    constexpr int kShown = 32;
+    Json points = Json::array();
+    std::string lines;
+    for (int k = 0; k < kShown && hasCriticalPoints(kernels); ++k) {
+        double point[kMostDimension] = {};
+        if (!criticalPoint(kernels, k, values.data(), {}, point)) break;
+        points.push_back(Json::array({point[0], point[1]}));
+        lines += "critical point " + std::to_string(k) + "  " + numberText(point, 2) + "\n";
+    }
+    if (json) {
+        Json report = mapJson(kernels);
+        report["text"] = formula.text;
+        report["degree"] = formula.degree;
+        report["operations"] = formula.tape.nodes.size();
+        report["critical_points"] = points;
+        return print(printJson(report));
+    }
+    std::string out = formula.text + "\n" + std::string(algebraName(kernels.info.algebra)) + "\n";
+    constexpr const char* kKinds[] = {"real", "whole", "complex", "quaternion"};
+    for (const FormulaParameter& parameter : formula.parameters)
+        out += padded(parameter.name, 8) + padded(kKinds[static_cast<int>(parameter.kind)], 12) +
+               numberText(parameter.value.data(), widthOf(parameter.kind)) + "\n";
+    return print(out + lines);
 }
 
 }  // namespace
@@ -106,8 +153,28 @@ void addListCommands(CommandLine& line) {
         line.add("glsl", "Print a map as a GLSL ES 3.00 fragment shader, as its tape gives it.",
                  "  versorium glsl quadratic\n  versorium glsl mandelbulb > mandelbulb.frag\n");
     const auto name = std::make_shared<std::string>();
-    glsl->add_option("MAP", *name, "name of a map")->required();
+    glsl->add_option("MAP", *name, "name of a map, or a formula")->required();
     line.run(glsl, [name] { return printGlsl(*name); });
+
+    CLI::App* formula = line.add(
+        "formula", "Check a formula of your own, and say what it was read as.",
+        "  versorium formula 'z^3 - a*z + c'\n"
+        "  versorium formula \"x' = 1 - a*x^2 + y, y' = b*x; a = 1.4; b = 0.3\" --json\n"
+        "  versorium formula 'q^2 + c; c = 0.3 + 0.5*j'\n"
+        "  versorium formula 'c*sin(z); c = 1 + 0.2*i'\n\n"
+        "A formula speaks of z (complex), of q (quaternions), of x (real), or is the pair x', y'.\n"
+        "Other names are its parameters; after a semicolon stand kinds, defaults and ranges:\n"
+        "  z^n + c; n: whole = 3 in [2, 9]; c = -0.4 + 0.6*i\n"
+        "Operators + - * / ^, comparisons, and, or, not, a ? b : c. Components z.re, z.im, q.w to "
+        "q.z.\n"
+        "Constants pi, e, i, and j, k of quaternions. Functions: exp log sqrt sin cos tan sinh "
+        "cosh\n"
+        "tanh asin acos atan asinh acosh atanh abs norm arg re im conj floor min max atan2 if.\n"
+        "render, eval, orbit and glsl take a formula wherever they take the name of a map.\n");
+    const auto text = std::make_shared<std::string>();
+    formula->add_option("FORMULA", *text, "the formula; quote it")->required();
+    formula->add_flag("--json", *json, "as JSON");
+    line.run(formula, [text, json] { return explainFormula(*text, *json); });
 }
 
 }  // namespace versorium

@@ -71,13 +71,14 @@ Expected<PointTable> readPoints(const std::string& path) {
 }
 
 struct EvalRequest {
-    std::string scene, points, output = "-";
-    std::vector<std::string> sets, fields;
+    SceneRequest source;
+    std::string points, output = "-";
+    std::vector<std::string> fields;
     bool json = false;
 };
 
 Status evalPoints(const EvalRequest& request, int threads) {
-    Expected<OpenedScene> opened = openScene(request.scene, request.sets);
+    Expected<OpenedScene> opened = openScene(request.source);
     if (!opened) return opened.status();
     std::vector<FieldName> fields;
     for (const std::string& name : request.fields) {
@@ -120,15 +121,14 @@ Status evalPoints(const EvalRequest& request, int threads) {
 }
 
 struct OrbitRequest {
-    std::string scene;
+    SceneRequest source;
     std::vector<double> at;
-    std::vector<std::string> sets;
     int steps = 20;
     bool csv = false, json = false;
 };
 
 Status printOrbit(const OrbitRequest& request) {
-    Expected<OpenedScene> opened = openScene(request.scene, request.sets);
+    Expected<OpenedScene> opened = openScene(request.source);
     if (!opened) return opened.status();
     Scene& scene = opened->scene;
     const MapKernels& map = mapOf(scene);
@@ -187,14 +187,12 @@ void addMeasureCommands(CommandLine& line) {
         "      --set alpha=6 --field log_modulus --points points.csv -o out.csv\n"
         "Points are a table with a head line and columns x[,y[,z[,w]]]: the starting point.\n");
     const auto request = std::make_shared<EvalRequest>();
-    eval->add_option("SCENE", request->scene, "preset, map, scene file, PNG with a scene, or -")
-        ->required();
+    addSceneOptions(*eval, request->source);
     eval->add_option("--points", request->points, "CSV file, or - for standard input")->required();
     eval->add_option("-o,--output", request->output, "CSV file, or - for standard output")
         ->capture_default_str();
     eval->add_option("--field", request->fields, "name of a field; may be given several times")
         ->required();
-    eval->add_option("--set", request->sets, "KEY=VALUE; may be given several times");
     eval->add_flag("--json", request->json, "report as JSON");
     line.run(eval, [request, &line] { return evalPoints(*request, line.threads); });
 
@@ -202,15 +200,14 @@ void addMeasureCommands(CommandLine& line) {
         line.add("orbit", "Print the orbit of a point, up to the first iterate that is outside.",
                  "  versorium orbit julia --at 0.12,0.28 -n 24\n"
                  "  versorium orbit logistic --at 0.5 --set r=3.83 -n 12 --csv\n"
+                 "  versorium orbit \"x' = 1 - a*x^2 + y, y' = b*x; a = 1.4; b = 0.3\" --at 0,0\n"
                  "  versorium orbit henon --at 0,0 -n 100 --json\n");
     const auto own = std::make_shared<OrbitRequest>();
-    orbit->add_option("SCENE", own->scene, "preset, map, scene file, PNG with a scene, or -")
-        ->required();
+    addSceneOptions(*orbit, own->source);
     orbit->add_option("--at", own->at, "starting point x[,y[,z[,w]]]")->delimiter(',')->required();
     orbit->add_option("-n,--steps", own->steps, "number of steps")
         ->check(CLI::Range(0, kMostIterations))
         ->capture_default_str();
-    orbit->add_option("--set", own->sets, "KEY=VALUE; may be given several times");
     orbit->add_flag("--csv", own->csv, "comma-separated");
     orbit->add_flag("--json", own->json, "as JSON");
     line.run(orbit, [own] { return printOrbit(*own); });

@@ -7,8 +7,8 @@ namespace versorium {
 namespace {
 
 bool looksLikeFile(const std::string& what) {
-    return what == "-" || what.find('/') != std::string::npos || what.ends_with(".json") ||
-           what.ends_with(".png");
+    if (what == "-" || what.ends_with(".json") || what.ends_with(".png")) return true;
+    return what.find('/') != std::string::npos && !parseFormula(what);
 }
 
 Expected<OpenedScene> open(const std::string& what) {
@@ -20,6 +20,11 @@ Expected<OpenedScene> open(const std::string& what) {
             return OpenedScene{std::move(*scene), {}};
         }
         if (const MapKernels* map = findMap(what)) return OpenedScene{sceneOf(*map), {}};
+        if (looksLikeFormula(what)) {
+            Expected<Scene> scene = sceneOfMap(what);
+            if (!scene) return scene.status();
+            return OpenedScene{std::move(*scene), {}};
+        }
         return presetNamed(what).status();
     }
     Expected<Document> document = readDocument(what);
@@ -35,10 +40,33 @@ Expected<OpenedScene> open(const std::string& what) {
 
 }  // namespace
 
-Expected<OpenedScene> openScene(const std::string& what, const std::vector<std::string>& sets) {
-    Expected<OpenedScene> opened = open(what);
+void addSceneOptions(CLI::App& command, SceneRequest& request) {
+    command.add_option("SCENE", request.scene,
+                       "preset, map, formula, scene file, PNG with a scene, or -");
+    command.add_option("--map", request.map,
+                       "a map of the catalogue, or a formula such as 'z^3 - a*z + c'; in place of "
+                       "SCENE or of its map");
+    command.add_option("--set", request.sets, "KEY=VALUE; may be given several times")
+        ->take_all()
+        ->allow_extra_args(false);
+}
+
+Expected<OpenedScene> openScene(const SceneRequest& request) {
+    if (request.scene.empty() && request.map.empty())
+        return Status::usage(
+            "SCENE or --map is required: a preset, a map, a formula, a scene file, a PNG with a "
+            "scene, or -");
+    Expected<OpenedScene> opened = [&]() -> Expected<OpenedScene> {
+        if (!request.scene.empty()) return open(request.scene);
+        Expected<Scene> scene = sceneOfMap(request.map);
+        if (!scene) return scene.status();
+        return OpenedScene{std::move(*scene), {}};
+    }();
     if (!opened) return opened.status();
-    for (const std::string& set : sets) {
+    if (!request.scene.empty() && !request.map.empty())
+        if (Status status = assign(opened->scene, {"map", request.map}); !status.ok())
+            return status;
+    for (const std::string& set : request.sets) {
         Expected<Assignment> assignment = parseAssignment(set);
         if (!assignment) return assignment.status();
         if (Status status = assign(opened->scene, *assignment); !status.ok()) return status;

@@ -12,8 +12,9 @@ namespace versorium {
 namespace {
 
 struct RenderRequest {
-    std::string scene, output, size, flavour;
-    std::vector<std::string> sets, fields;
+    SceneRequest source;
+    std::string output, size, flavour;
+    std::vector<std::string> fields;
     int samples = 0;
     bool json = false;
 };
@@ -61,7 +62,7 @@ Status saveFields(CpuRenderer& renderer, const Scene& scene, const PictureOption
 }
 
 Status renderScene(const RenderRequest& request, int threads) {
-    Expected<OpenedScene> opened = openScene(request.scene, request.sets);
+    Expected<OpenedScene> opened = openScene(request.source);
     if (!opened) return opened.status();
     auto& [scene, options] = *opened;
     if (!request.size.empty()) {
@@ -88,6 +89,7 @@ Status renderScene(const RenderRequest& request, int threads) {
                 {"width", size.width},
                 {"height", size.height},
                 {"map", scene.map},
+                {"formula", std::string(mapOf(scene).info.formula)},
                 {"sha256", sha256(*png)}};
     if (!files->empty())
         if (Status status = saveFields(renderer, scene, options, *files, job, report); !status.ok())
@@ -160,17 +162,16 @@ void addRenderCommands(CommandLine& line) {
         line.add("render", "Render a scene to a PNG that carries it.",
                  "  versorium render mandelbrot -o m.png --size 1200x900 --samples 3\n"
                  "  versorium render julia -o j.png --set c=-0.8,0.156 --set palette=fire\n"
+                 "  versorium render --map 'z^3 - a*z + c' -o f.png --set a=0.8,0.2\n"
                  "  versorium render henon -o h.png --save-field escape_step=n.npy --json\n"
                  "  versorium render m.png -o again.png\n");
     const auto request = std::make_shared<RenderRequest>();
-    render->add_option("SCENE", request->scene, "preset, map, scene file, PNG with a scene, or -")
-        ->required();
+    addSceneOptions(*render, request->source);
     render->add_option("-o,--output", request->output, "PNG file, or - for standard output")
         ->required();
     render->add_option("--size", request->size, "WIDTHxHEIGHT in pixels");
     render->add_option("--samples", request->samples, "samples along each side of a pixel")
         ->check(CLI::Range(1, kMostSamples));
-    render->add_option("--set", request->sets, "KEY=VALUE; may be given several times")->take_all();
     render->add_option("--save-field", request->fields, "NAME=FILE.npy: a field as numbers");
     render->add_option("--flavour", request->flavour,
                        "exact: the same bits everywhere; fast: for a first look");

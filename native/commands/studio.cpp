@@ -6,12 +6,13 @@ namespace versorium {
 
 void addStudioCommand(CommandLine& line) {
     line.action = [] { return runStudio({}); };
-    CLI::App* command = line.add("studio", "Opens the studio, the window to explore in",
-                                 "versorium studio\nversorium studio julia\nversorium studio "
-                                 "figure.png\nversorium studio '#v1:…'");
+    CLI::App* command =
+        line.add("studio", "Opens the studio, the window to explore in",
+                 "versorium studio\nversorium studio julia\nversorium studio "
+                 "figure.png\nversorium studio '#v1:…'\nversorium studio 'z^3 - a*z + c'");
     auto options = std::make_shared<WindowOptions>();
     command->add_option("scene", options->open,
-                        "a preset, a scene or a PNG that carries one, or a link");
+                        "a preset, a scene or a PNG that carries one, a link, or a formula");
     command->add_option("--screenshot", options->screenshot,
                         "write the window as a PNG once its pictures are finished, and end");
     auto size = std::make_shared<std::string>("1280x800");

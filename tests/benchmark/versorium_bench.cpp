@@ -10,6 +10,7 @@
 
 #include "benchmark/baselines.h"
 #include "benchmark/views.h"
+#include "maps/formula_map.h"
 #include "render/cpu/cpu_renderer.h"
 
 namespace versorium {
@@ -49,6 +50,7 @@ class KernelPicture {
             for (std::size_t k = 0; k < state_.size(); ++k) batch.state[k] = state_[k].data();
             for (std::size_t k = 0; k < values_.size(); ++k)
                 batch.parameters[k] = {values_[k].data(), !startVaries_ && k < 2};
+            batch.program = map_.program();
             batch.squaredRadius = static_cast<T>(squaredRadius);
             batch.iterations = iterations;
             batch.steps = steps_.data();
@@ -123,6 +125,22 @@ void addMandelbrot(const KernelTarget& target, const std::string& type, const ch
         countRate(state, total);
     });
     ratios().push_back({name, "mandelbrot/" + type + "/textbook", goal});
+}
+
+// A typed z^2 + c against the built-in quadratic kernel, neither with shortcuts.
+template <class T>
+void addFormula(const KernelTarget& target, const std::string& type) {
+    static const std::shared_ptr<const FormulaMap> kTyped = *FormulaMap::make("z^2 + c");
+    const MapKernels& map = kTyped->kernels();
+    const std::string name = "formula/" + type + "/" + nameOf(target);
+    benchmark::RegisterBenchmark(name.c_str(), [&target, &map](benchmark::State& state) {
+        KernelPicture<T> picture(map, false);
+        std::int64_t total = 0;
+        for (auto _ : state)
+            total += picture.run(rowOf<T>(target, map), textbook::kHome, kIterations, 4, false);
+        countRate(state, total);
+    });
+    ratios().push_back({name, "mandelbrot/" + type + "/" + nameOf(target), "0.25"});
 }
 
 void addShortcuts(const KernelTarget& target) {
@@ -200,6 +218,8 @@ void addAll() {
         const bool wide = std::string(target.name) == "x86-64-v4";
         addMandelbrot<double>(target, "double", fast ? (wide ? "22" : "18") : (wide ? "16" : "14"));
         addMandelbrot<float>(target, "float", "35");
+        addFormula<double>(target, "double");
+        addFormula<float>(target, "float");
         addShortcuts(target);
         addPlanar(target, "planar/image", quartic(), 3, 100, 16, "planar/image/textbook", "12");
         addPlanar(target, "planar/steady", quartic(), 0.2, 1000, 1e6, "", "");

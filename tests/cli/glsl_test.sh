@@ -31,5 +31,31 @@ for name in $names; do
         failures=$((failures + 1))
     fi
 done
+# What users type reaches the shader through the tape alone.
+while IFS= read -r formula; do
+    shader=$folder/formula.frag
+    "$versorium" glsl "$formula" >"$shader"
+    count=$((count + 1))
+    if ! glslangValidator -S frag "$shader" >"$folder/log"; then
+        echo "$formula:"
+        cat "$folder/log"
+        failures=$((failures + 1))
+    fi
+done <<'FORMULAS'
+z^2 + c
+z^3 - a*z + conj(c)
+c*sin(z) + tan(z)/sinh(z) - cosh(tanh(z))
+asin(z) + acos(z) + atan(z) + asinh(z) + acosh(z) + atanh(z)
+log(z)*sqrt(z)^z + exp(c) - z^-3 + z^2.5 + z^n
+if(abs(z) < 1 and not (re(z) >= 2 or im(z) == 3), z, 1 < 2 ? c : 0)
+max(re(z), 1)*min(arg(z), 2) + floor(norm(z))*i + 1e30 + 1e-30 + 1e100
+sqrt(2)*sin(1)*z + log(-1) + c
+x' = 1 - a*x^2 + y, y' = b*x
+x' = y, y' = atan2(y, x)^n + abs(x)^1.5; n: whole = 2
+q^2 + c
+exp(q)*log(c) + q^a - sin(q)/q.x*im(q) + i*j
+r*x*(1 - x)
+z^2 - 1
+FORMULAS
 echo "$count shaders, $failures refused"
 ((count > 0 && failures == 0))

@@ -285,6 +285,41 @@ class Results(CommandLine):
         self.assertEqual((stream["width"], stream["height"], stream["nb_frames"]), (34, 18, "5"))
         self.assertEqual(os.listdir(self.folder).count("film.mp4.frames"), 0)
 
+    def test_formulas_of_ones_own(self):
+        # The same bits as the built-in map, in every field, and whatever the threads.
+        for name, typed in (("quadratic", "z^2+c"), ("quaternion-quadratic", "q^2 + c")):
+            for scene, file in ((("--map", typed), "t"), ((name,), "b")):
+                for field in ("smooth_escape", "distance", "squared_norm"):
+                    self.good("render", *scene, "-o", self.path("a.png"), "--size", "60x40",
+                              "--save-field", f"{field}={self.path(file + field)}")
+            for field in ("smooth_escape", "distance", "squared_norm"):
+                self.assertEqual(self.read("t" + field), self.read("b" + field), field)
+        self.good("render", "--map", "z^3 - a*z + conj(c)", "-o", self.path("a.png"), "--size",
+                  "40x30", "--set", "a=0.8,0.2", "--threads", "1")
+        document = json.loads(self.good("scene", self.path("a.png")))
+        self.assertEqual(document["body"]["formula"], "z^3 - a*z + conj(c)")
+        self.good("render", self.path("a.png"), "-o", self.path("b.png"), "--threads", "3")
+        self.assertEqual(self.read("a.png"), self.read("b.png"))
+        self.good("render", self.path("a.png"), "-o", self.path("b.png"), "--set",
+                  "formula=z^4 + b", "--set", "b=0.1,0.2", "--size", "8x8")
+        # A preset keeps its colours and takes a map.
+        self.good("render", "mandelbrot", "--map", "c*sin(z)", "-o", self.path("c.png"),
+                  "--size", "20x20")
+        orbit = json.loads(self.good("orbit", "x' = 1 - a*x^2 + y, y' = b*x; a = 1; b = 2",
+                                     "--at", "0,0", "-n", "2", "--json"))
+        self.assertEqual([row["point"] for row in orbit["orbit"]], [[0, 0], [1, 0], [0, 2]])
+        points = self.write("p.csv", "x,y\n0,1\n")
+        table = self.good("eval", "z^2 - 1", "--points", points, "--field", "image_modulus")
+        self.assertEqual(float(table.split()[1].split(b",")[2]), 2)
+
+    def test_a_formula_is_explained(self):
+        report = json.loads(self.good("formula", "z^3-3z+ c ; c=0.1i", "--json"))
+        self.assertEqual(report["text"], "z^3 - 3*z + c; c = 0 + 0.1*i")
+        self.assertEqual(report["degree"], 3)
+        self.assertEqual(report["critical_points"], [[-1, 0], [1, 0]])
+        self.assertIn(b"complex plane", self.good("formula", "z^2+c"))
+        self.assertIn(b"formula", self.good("maps"))
+
     def test_standard_output(self):
         png = self.good("render", "julia", "-o", "-", "--size", "20x20")
         self.assertTrue(png.startswith(b"\x89PNG"))
@@ -326,6 +361,23 @@ class BadInput(CommandLine):
         diagram["panels"][0]["diagram"]["parameter"] = "q"
         self.refused(USAGE, "plate", self.write("d.json", json.dumps(diagram)), *self.out(),
                      says=("panel a", "\"q\""))
+
+    def test_formulas(self):
+        for arguments in (("render", "--map", "z^2 + * c", *self.out()),
+                          ("render", "z^2 + * c", *self.out()),
+                          ("glsl", "z^2 + * c"), ("formula", "z^2 + * c"),
+                          ("render", "julia", "--set", "map=z^2 + * c", *self.out())):
+            result = self.run_program(*arguments)
+            self.assertEqual(result.returncode, USAGE)
+            lines = result.stderr.decode().splitlines()
+            self.assertIn("is expected, not \"*\"", lines[0])
+            self.assertEqual(lines[1], "    z^2 + * c")
+            self.assertEqual(lines[2], "          ^")
+            self.assertEqual(os.listdir(self.folder), [])
+        self.refused(USAGE, "render", *self.out(), says="--map")
+        self.refused(USAGE, "render", "--map", "nonsense", *self.out(), says="z^2 + c")
+        scene = self.write("s.json", '{"map": "formula", "formula": "z^2 + foo(c)"}')
+        self.refused(DATA, "render", scene, *self.out(), says=("s.json", "character 7", "foo"))
 
     def test_files(self):
         self.refused(INPUT_OUTPUT, "render", self.path("none.json"), *self.out(), says="none.json")

@@ -125,5 +125,23 @@ TEST(GpuFields, EveryMapAtHome) {
     }
 }
 
+TEST(GpuFields, TypedFormulas) {
+    for (const char* text :
+         {"z^2 + c", "z^3 - a*z + conj(c); a = 0.6",
+          "(abs(re(z)) + i*abs(im(z)))^2 + c; c = -0.5 - 0.3i",
+          "x' = 1 - a*x^2 + y, y' = b*x; a = 1.2; b = 0.3", "q^2 + c; c = 0.2 + 0.3j"}) {
+        Scene scene = *sceneOfMap(text);
+        scene.iterations = 60;
+        compare(scene, 99);
+    }
+    // The last step of a sine is an exponential, which no error of a start stands for: of an orbit
+    // that has left, only when it left is compared.
+    Scene sine = *sceneOfMap("c*sin(z); c = 1 + 0.2i");
+    sine.iterations = 60;
+    compare(sine, 99,
+            {FieldName::membership, FieldName::escapeStep, FieldName::smoothEscape,
+             FieldName::imageModulus, FieldName::versor, FieldName::argument});
+}
+
 }  // namespace
 }  // namespace versorium

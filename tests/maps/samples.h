@@ -2,16 +2,40 @@
 #pragma once
 // Starting points, parameters and bound lists and fields for any map of the catalogue.
 
+#include <cassert>
+#include <string>
 #include <vector>
 
 #include "base/random.h"
 #include "maps/catalogue.h"
+#include "maps/formula_map.h"
 
 namespace versorium {
 
 struct Sample {
     std::vector<double> state, parameters;
 };
+
+// A typed formula as a map; it is kept by the last ones that were made.
+inline const MapKernels& typedMap(const std::string& text) {
+    const auto map = FormulaMap::make(text);
+    assert(map.ok());
+    return (*map)->kernels();
+}
+
+// The catalogue, and typed formulas of every kind.
+inline std::vector<const MapKernels*> testedMaps() {
+    std::vector<const MapKernels*> all;
+    for (const MapKernels& map : catalogue()) all.push_back(&map);
+    for (const char* text :
+         {"z^2 + c", "z^3 - a*z + conj(c)", "c*sin(z)", "z^n + c; n = 2.5", "z^2 - 0.5 + 0.1i",
+          "if(abs(z) < 1 and z.re > -2, z^2, z/c) + c", "log(z + 3)*c - tanh(z)/2",
+          "(z^2 + c - 1)^2/(2z + c - 2)^2", "x' = 1 - a*x^2 + y, y' = b*x; a = 1.4; b = 0.3",
+          "y, x*sin(a*y) - x^3/3", "q^2 + c", "c*exp(q) - q*c/2 + 0.2i", "q^a + c",
+          "r*x*(1 - x); r = 3.7", "x' = r*max(x, 1 - x^n) - floor(x); n: whole = 3"})
+        all.push_back(&typedMap(text));
+    return all;
+}
 
 // What is bound to every map under test: a few roots with whole and real powers, and a shape.
 struct TestBindings {

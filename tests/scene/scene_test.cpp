@@ -48,6 +48,37 @@ TEST(Scene, OfEveryMapReadsBackExactly) {
         expectRoundTrip(sceneOf(map), std::string(map.info.name));
 }
 
+TEST(Scene, OfTypedFormulasReadBackExactly) {
+    for (const char* text :
+         {"z^2+c", "z^3 - a*z + conj(c); a: real = 0.5 in [0, 4]", "x' = 1 - a*x^2 + y, y' = b*x",
+          "q^2 + c; c = 0.1 + 0.2j", "r*x*(1-x)", "z^2 - 1"}) {
+        const Expected<Scene> scene = sceneOfMap(text);
+        ASSERT_TRUE(scene.ok()) << scene.status().message();
+        expectRoundTrip(*scene, text);
+        const Json json = sceneToJson(*scene);
+        EXPECT_EQ(json["map"], "formula");
+        const Expected<Scene> again = sceneFromJson(json);
+        EXPECT_EQ(again->formula, scene->formula) << text;
+    }
+    Scene scene = *sceneOfMap("z^3 + a*z + b");
+    setNumber(scene, *numberNamed(scene, "a.im"), 0.25);
+    const Expected<Scene> again = sceneFromJson(sceneToJson(scene));
+    EXPECT_EQ(again->parameters.at("a"), (std::vector<double>{1, 0.25}));
+}
+
+TEST(Scene, SaysWhatIsWrongWithAFormula) {
+    expectFault(R"({"map": "formula"})", "formula: is missing");
+    expectFault(R"({"map": "formula", "formula": 3})", "formula: ");
+    expectFault(R"({"map": "quadratic", "formula": "z^2"})", "formula: stands beside");
+    expectFault(R"({"map": "formula", "formula": "z^2 + * c"})", "formula, character 7: ");
+    expectFault(R"({"map": "formula", "formula": "z^2 + c", "parameters": {"d": [0, 0]}})",
+                "parameters.d");
+    expectFault(R"({"map": "formula", "formula": "z^2 + c", "parameters": {"c": 1}})",
+                "parameters.c");
+    EXPECT_NE(sceneOfMap("nonsense").status().message().find("versorium maps"), std::string::npos);
+    EXPECT_NE(sceneOfMap("z^2 + * c").status().message().find("\n          ^"), std::string::npos);
+}
+
 TEST(Scene, OfEveryPresetReadsBackExactly) {
     const auto names = presetNames();
     EXPECT_FALSE(names.empty());
@@ -257,7 +288,9 @@ TEST(Schema, KnowsEveryKeyOfAScene) {
         ASSERT_TRUE(schema["properties"].contains(item.key())) << item.key();
         EXPECT_TRUE(schema["properties"][item.key()].contains("description")) << item.key();
     }
-    EXPECT_EQ(schema["properties"]["map"]["enum"].size(), catalogue().size());
+    // And "formula".
+    EXPECT_EQ(schema["properties"]["map"]["enum"].size(), catalogue().size() + 1);
+    EXPECT_TRUE(schema["properties"].contains("formula"));
     EXPECT_EQ(schema["x-maps"].size(), catalogue().size());
 }
 

@@ -58,6 +58,22 @@ TEST(Controls, OfEveryMapHaveDistinctNamesAndTakeTheirOwnValues) {
     }
 }
 
+TEST(Controls, TakeAFormula) {
+    NoHost host;
+    StudioContext context(host);
+    EXPECT_EQ(valueOf(context, "formula"), "");
+    EXPECT_FALSE(setControl(context, "formula", "z^2 + * c"));
+    EXPECT_TRUE(setControl(context, "formula", "z^3 - a*z + c; a: real = 0.5"));
+    EXPECT_EQ(valueOf(context, "formula"), "z^3 - a*z + c; a: real = 0.5");
+    EXPECT_EQ(valueOf(context, "a"), "0.5");
+    EXPECT_TRUE(setControl(context, "a", "0.75"));
+    EXPECT_EQ(sharedNumber(context.workspace, "a"), 0.75);
+    EXPECT_TRUE(setControl(context, "save formula", "mine"));
+    EXPECT_TRUE(setControl(context, "map", "Quadratic family (quadratic)"));
+    EXPECT_TRUE(setControl(context, "saved formula", "mine"));
+    EXPECT_EQ(valueOf(context, "formula"), "z^3 - a*z + c; a: real = 0.5");
+}
+
 TEST(Controls, SetWhatTheySayAndRefuseTheRest) {
     NoHost host;
     StudioContext context(host);

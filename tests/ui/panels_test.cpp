@@ -64,6 +64,99 @@ TEST(Help, EveryControlOfTheInspectorExplainsItself) {
     expectHelpEverywhere(gui, inspector, "shape-modulus");
 }
 
+TEST(Help, EveryControlOfTheFormulaPanelExplainsItself) {
+    SilentHost host;
+    HeadlessGui gui({330, 1500});
+    StudioContext context(host);
+    ASSERT_TRUE(applyFormula(context, "z^3 - a*z + c; a: real = 0.5").ok());
+    ASSERT_TRUE(context.formulas.save(host, "mine", context.formula.text).ok());
+    expectHelpEverywhere(
+        gui, [&] { drawInspector(context); }, "a formula");
+}
+
+// Typed as a user types: characters into the field, then Enter.
+TEST(Formulas, AreTypedShownRefusedAndUndone) {
+    SilentHost host;
+    HeadlessGui gui({330, 1500});
+    StudioContext context(host);
+    const auto inspector = [&] { drawInspector(context); };
+    gui.frame(inspector);
+    editFormula(context);
+    EXPECT_EQ(context.formula.text, "z^2 + c");
+    for (int k = 0; k < 3; ++k) gui.frame(inspector);
+    ImGuiIO& io = ImGui::GetIO();
+    const auto press = [&](ImGuiKey key) {
+        for (const bool down : {true, false}) {
+            io.AddKeyEvent(key, down);
+            gui.frame(inspector);
+        }
+    };
+    const auto retype = [&](const char* text) {
+        io.AddKeyEvent(ImGuiMod_Ctrl, true);
+        press(ImGuiKey_A);
+        io.AddKeyEvent(ImGuiMod_Ctrl, false);
+        io.AddInputCharactersUTF8(text);
+        for (int k = 0; k < 3; ++k) gui.frame(inspector);
+    };
+    retype("z^3 - * c");
+    EXPECT_EQ(context.formula.fault.position, 6u);
+    EXPECT_EQ(context.workspace.views[0].formula, nullptr);
+    press(ImGuiKey_Enter);
+    EXPECT_EQ(context.workspace.views[0].formula, nullptr) << "what does not read is not taken";
+    editFormula(context);
+    for (int k = 0; k < 3; ++k) gui.frame(inspector);
+    retype("z^3 - a*z + c");
+    EXPECT_TRUE(context.formula.fault.message.empty());
+    press(ImGuiKey_Enter);
+    ASSERT_NE(context.workspace.views[0].formula, nullptr);
+    EXPECT_EQ(context.workspace.views[0].formula->formula().text, "z^3 - a*z + c");
+    context.record();
+    setSharedNumber(context.workspace, "c.re", 0.25);
+    context.touch();
+    context.record();
+    // The next formula keeps what it has in common with this one.
+    ASSERT_TRUE(applyFormula(context, "z^4 + c").ok());
+    EXPECT_EQ(sharedNumber(context.workspace, "c.re"), 0.25);
+    context.record();
+    context.undo();
+    EXPECT_EQ(context.workspace.views[0].formula->formula().text, "z^3 - a*z + c");
+    context.undo();
+    context.undo();
+    EXPECT_EQ(context.workspace.views[0].map, "quadratic");
+}
+
+TEST(Formulas, SavedOnesComeBackWithTheNextStart) {
+    SilentHost host;
+    {
+        StudioContext context(host);
+        EXPECT_FALSE(context.formulas.save(host, "  ", "z^2 + c").ok());
+        EXPECT_FALSE(context.formulas.save(host, std::string(61, 'x'), "z^2 + c").ok());
+        ASSERT_TRUE(context.formulas.save(host, "tricorn", "conj(z)^2 + c").ok());
+        ASSERT_TRUE(context.formulas.save(host, "sine", "sin(z)").ok());
+        ASSERT_TRUE(context.formulas.save(host, " sine ", "c*sin(z)").ok());
+    }
+    StudioContext context(host);
+    ASSERT_EQ(context.formulas.all().size(), 2u);
+    EXPECT_EQ(context.formulas.all()[1].text, "c*sin(z)");
+    const auto found = [&](const std::string& question, const std::string& name) {
+        for (const Command& command : formulaCommands(context, question))
+            if (command.name.find(name) != std::string::npos) return command.run(), true;
+        return false;
+    };
+    EXPECT_TRUE(found("", "tricorn"));
+    EXPECT_EQ(context.workspace.views[0].formula->formula().text, "conj(z)^2 + c");
+    EXPECT_TRUE(found("z^5 + c", "Formula: z^5 + c"));
+    EXPECT_EQ(context.workspace.views[0].formula->formula().text, "z^5 + c");
+    EXPECT_FALSE(found("z^5 + * c", "Formula: z^5"));
+    context.formulas.forget(host, "sine");
+    SavedFormulas again;
+    again.load(host);
+    EXPECT_EQ(again.all().size(), 1u);
+    host.kept["formulas"] = "[{\"name\": \"bad\", \"formula\": \"z^^2\"}, 7, {}]";
+    again.load(host);
+    EXPECT_TRUE(again.all().empty());
+}
+
 TEST(Help, EveryControlOfTheOrbitStripExplainsItself) {
     SilentHost host;
     HeadlessGui gui({900, 300});

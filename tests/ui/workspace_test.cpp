@@ -88,6 +88,9 @@ TEST(Links, BringBackEveryPresetAndMap) {
     std::vector<Workspace> all;
     for (const std::string& name : presetNames()) all.push_back(workspaceOf(*presetNamed(name)));
     for (const MapKernels& map : catalogue()) all.push_back(workspaceOf(sceneOf(map)));
+    for (const char* text : {"z^3 - a*z + conj(c); a: real = 0.5", "c*sin(z)",
+                             "x' = 1 - a*x^2 + y, y' = b*x", "q^2 + c", "r*x*(1 - x)", "z^2 - 1"})
+        all.push_back(workspaceOf(*sceneOfMap(text)));
     for (Workspace& workspace : all) {
         workspace.pins.push_back(workspace.views[0].parameters);
         workspace.orbitSteps = 7;
@@ -128,6 +131,9 @@ TEST(Links, DamageIsRefusedOrHarmless) {
 TEST(Links, ScenesThatDoNotBelongTogetherAreRefused) {
     Json json = workspaceToJson(mandelbrot());
     json["views"][1] = sceneToJson(sceneOf(*findMap("newton")));
+    EXPECT_FALSE(workspaceFromJson(json).ok());
+    json = workspaceToJson(workspaceOf(*sceneOfMap("z^2 + c")));
+    json["views"][1] = sceneToJson(*sceneOfMap("c + z^2"));
     EXPECT_FALSE(workspaceFromJson(json).ok());
     json = workspaceToJson(mandelbrot());
     json["unknown"] = 1;

@@ -23,7 +23,7 @@ function makeField({ id, label, kind, step, options }, set) {
   }
   const input =
     kind === "choice" ? make("select")
-    : make("input", { type: { number: "text", toggle: "checkbox", colour: "color" }[kind] });
+    : make("input", { type: { number: "text", toggle: "checkbox", colour: "color", text: "text" }[kind] });
   let now = "";
   if (kind === "choice") fillChoice(input, options);
   if (kind === "number") {

@@ -13,27 +13,32 @@ namespace versorium {
 inline namespace VERSORIUM_TARGET {
 
 template <int Registers, class T>
-struct BlockOf;
+struct BlockOf {
+    using type = Pair<typename BlockOf<Registers / 2, T>::type>;
+};
 template <class T>
 struct BlockOf<1, T> {
     using type = Lanes<T>;
 };
-template <class T>
-struct BlockOf<2, T> {
-    using type = Pair<Lanes<T>>;
-};
-template <class T>
-struct BlockOf<4, T> {
-    using type = Pair<Pair<Lanes<T>>>;
-};
 
 // Registers in flight: enough to hide latency, few enough to stay in registers.
-template <class M>
+template <class M, class T>
 constexpr int registersOf() {
-    if constexpr (requires { M::kRegisters; })
+    if constexpr (requires { M::kLanes; })
+        return M::kLanes / Lanes<T>::kCount;
+    else if constexpr (requires { M::kRegisters; })
         return M::kRegisters;
     else
         return kDimension<M> <= 2 ? 4 : 2;
+}
+
+// The numbers of the parameters; those of typed formulas are known when they run.
+template <class M, class T>
+int parameterCount(const OrbitBatch<T>& batch) {
+    if constexpr (requires { M::kLanes; })
+        return batch.program->parameterSize;
+    else
+        return kParameters<M>;
 }
 
 template <class M, class R>
@@ -134,6 +139,7 @@ struct EscapeKernel {
         Environment<R> environment;
         for (int k = 0; k < kMostLists; ++k) environment.lists[k] = batch.lists[k];
         environment.field = batch.field;
+        environment.program = batch.program;
         environment.overrideCount = batch.overrideCount;
         for (int k = 0; k < batch.overrideCount; ++k) {
             environment.overrides[k].list = batch.overrides[k].list;
@@ -144,7 +150,8 @@ struct EscapeKernel {
         return environment;
     }
     void loadUniform(R* parameters) const {
-        for (int k = 0; k < kP; ++k) parameters[k] = R(*batch.parameters[k].values);
+        const int count = parameterCount<M>(batch);
+        for (int k = 0; k < count; ++k) parameters[k] = R(*batch.parameters[k].values);
     }
 
     // Takes the orbits whose mark in batch.steps is the given one.
@@ -232,6 +239,13 @@ struct EscapeKernel {
 
     template <bool Final, class Arguments>
     static auto runBlock(State& z, const Arguments& arguments, int steps, const R& radius) {
+        if constexpr (requires { M::kLanes; })
+            return M::template runBlock<Final, R>(z, std::get<0>(arguments), steps, radius);
+        else
+            return runSteps<Final>(z, arguments, steps, radius);
+    }
+    template <bool Final, class Arguments>
+    static auto runSteps(State& z, const Arguments& arguments, int steps, const R& radius) {
         auto inside = squaredNorm(z) <= radius;
         for (int i = 0; i < steps; ++i) {
             z = stepWith<M, R>(z, arguments);

@@ -4,6 +4,7 @@
 // made for one processor is ever called on another.
 
 #include "maps/catalogue_maps.h"
+#include "maps/formula_step.h"
 #include "maps/kernels/escape.h"
 
 namespace versorium {
@@ -12,7 +13,7 @@ namespace {
 
 template <class M, class T>
 void escapeWith(OrbitBatch<T>& batch) {
-    using R = typename BlockOf<registersOf<M>(), T>::type;
+    using R = typename BlockOf<registersOf<M, T>(), T>::type;
     EscapeKernel<M, R>(batch).run();
 }
 
@@ -53,6 +54,8 @@ void advanceWith(OrbitBatch<T>& batch) {
     Environment<R> environment;
     for (int k = 0; k < kMostLists; ++k) environment.lists[k] = batch.lists[k];
     environment.field = batch.field;
+    environment.program = batch.program;
+    const int count = parameterCount<M>(batch);
     environment.overrideCount = batch.overrideCount;
     const auto load = [](const Stream<T>& stream, int first) {
         L lanes(*stream.values);
@@ -60,7 +63,7 @@ void advanceWith(OrbitBatch<T>& batch) {
         return lanes;
     };
     for (int first = 0; first < batch.count; first += L::kCount) {
-        for (int k = 0; k < kP; ++k)
+        for (int k = 0; k < count; ++k)
             parameters[k] = make(load(batch.parameters[k], first), batch.parameterSlopes[k]);
         for (int k = 0; k < batch.overrideCount; ++k)
             environment.overrides[k] = {
@@ -93,7 +96,7 @@ struct Rows {
 
 template <class T, class... Maps>
 const BatchRow<T>* rowsOf(MapList<Maps...>) {
-    return Rows<T, Maps...>::kTable;
+    return Rows<T, Maps..., FormulaStep<1>, FormulaStep<2>, FormulaStep<4>>::kTable;
 }
 
 }  // namespace

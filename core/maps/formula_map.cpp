@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "maps/formula_map.h"
+
+#include <algorithm>
+#include <deque>
+#include <mutex>
+
+#include "maps/critical.h"
+#include "maps/formula_step.h"
+
+namespace versorium {
+namespace {
+
+static_assert(kFormulaParameters == kFormulaNumbers);
+
+constexpr std::size_t kMostKept = 256;
+
+Algebra algebraOf(FormulaSpace space) {
+    switch (space) {
+        case FormulaSpace::line:
+            return Algebra::real;
+        case FormulaSpace::complex:
+            return Algebra::complex;
+        case FormulaSpace::plane:
+            return Algebra::plane;
+        default:
+            return Algebra::quaternion;
+    }
+}
+
+ParameterKind kindOf(FormulaKind kind) {
+    switch (kind) {
+        case FormulaKind::real:
+            return ParameterKind::real;
+        case FormulaKind::whole:
+            return ParameterKind::whole;
+        case FormulaKind::complex:
+            return ParameterKind::complex;
+        default:
+            return ParameterKind::quaternion;
+    }
+}
+
+// The catalogue's own radii where a formula is one of its families; polynomials with other terms
+// need more room, and others are mostly judged by how large they can get.
+double radiusOf(const Formula& formula) {
+    switch (formula.space) {
+        case FormulaSpace::complex:
+            return formula.unicritical ? 2 : formula.degree >= 2 ? 10 : 50;
+        case FormulaSpace::quaternion:
+            return 2;
+        case FormulaSpace::line:
+            return 16;
+        default:
+            return 10;
+    }
+}
+
+template <int D>
+MapKernels rowOf(const MapInfo& info, const FormulaMap* map, const TapeCode& code, bool second) {
+    using M = FormulaStep<D>;
+    StepFunction<SecondNumber>::Plain secondStep = nullptr;
+    if constexpr (D == 2)
+        if (second) secondStep = &stepFlat<M, SecondNumber>;
+    constexpr int kPlace = D == 1 ? 0 : D == 2 ? 1 : 2;
+    return {info,
+            static_cast<int>(catalogue().size()) + kPlace,
+            D,
+            code.parameterSize,
+            {&stepFlat<M, double>, &code},
+            {&stepFlat<M, float>, &code},
+            {&stepFlat<M, DualNumber>, &code},
+            {secondStep, &code},
+            nullptr,
+            0,
+            nullptr,
+            nullptr,
+            map};
+}
+
+std::unique_ptr<MapKernels> rowOfDimension(int dimension, const MapInfo& info,
+                                           const FormulaMap* map, const TapeCode& code,
+                                           bool second) {
+    return std::make_unique<MapKernels>(dimension == 1   ? rowOf<1>(info, map, code, second)
+                                        : dimension == 2 ? rowOf<2>(info, map, code, second)
+                                                         : rowOf<4>(info, map, code, second));
+}
+
+// The formulas that were asked for last, by the texts that were typed and by their normal forms.
+struct Kept {
+    std::mutex mutex;
+    std::deque<std::pair<std::string, std::shared_ptr<const FormulaMap>>> maps;
+
+    std::shared_ptr<const FormulaMap> find(std::string_view text) {
+        const std::lock_guard lock(mutex);
+        const auto found = std::find_if(maps.begin(), maps.end(),
+                                        [&](const auto& entry) { return entry.first == text; });
+        if (found == maps.end()) return nullptr;
+        std::rotate(maps.begin(), found, found + 1);
+        return maps.front().second;
+    }
+    void add(std::string text, std::shared_ptr<const FormulaMap> map) {
+        const std::lock_guard lock(mutex);
+        maps.emplace_front(std::move(text), std::move(map));
+        if (maps.size() > kMostKept) maps.pop_back();
+    }
+};
+
+Kept& kept() {
+    static Kept kKept;
+    return kKept;
+}
+
+}  // namespace
+
+Expected<std::shared_ptr<const FormulaMap>> FormulaMap::make(std::string_view text,
+                                                             FormulaFault* fault) {
+    if (auto known = kept().find(text)) return known;
+    Expected<Formula> formula = parseFormula(text, fault);
+    if (!formula) return formula.status();
+    if (auto known = kept().find(formula->text)) {
+        kept().add(std::string(text), known);
+        return known;
+    }
+    Expected<TapeProgram> program = TapeProgram::make(formula->tape);
+    if (!program) {
+        if (fault) *fault = {0, program.status().message()};
+        return program.status();
+    }
+    std::shared_ptr<FormulaMap> map(new FormulaMap);
+    map->formula_ = std::move(*formula);
+    map->program_ = std::move(*program);
+    map->code_ = map->program_.code();
+    if (map->formula_.degree > 0) {
+        Expected<TapeProgram> slope = TapeProgram::make(map->formula_.slope);
+        if (slope)
+            map->slopeProgram_ = std::move(*slope);
+        else
+            map->formula_.degree = 0;
+    }
+    map->describe();
+    if (map->formula_.text != text) kept().add(map->formula_.text, map);
+    kept().add(std::string(text), map);
+    return std::shared_ptr<const FormulaMap>(map);
+}
+
+void FormulaMap::describe() {
+    for (const FormulaParameter& parameter : formula_.parameters)
+        parameters_.push_back({.name = parameter.name,
+                               .kind = kindOf(parameter.kind),
+                               .value = parameter.value,
+                               .low = parameter.low,
+                               .high = parameter.high,
+                               .help = {}});
+    info_ = {.name = kFormulaName,
+             .title = "Typed formula",
+             .formula = formula_.body,
+             .algebra = algebraOf(formula_.space),
+             .parameters = parameters_,
+             .escapeRadius = radiusOf(formula_),
+             .degree = formula_.growth >= 2 ? static_cast<double>(formula_.growth) : 2.0,
+             .homeHeight = formula_.space == FormulaSpace::line ? 4.0
+                           : formula_.unicritical || formula_.space == FormulaSpace::quaternion
+                               ? 3.2
+                           : formula_.degree >= 2 ? 4.0
+                                                  : 6.0,
+             .source = "typed by you"};
+    const int dimension = dimensionOf(formula_.space);
+    kernels_ = rowOfDimension(dimension, info_, this, code_, true);
+    if (dimension != 2) return;
+    // Critical points are offered where there is one to begin with.
+    std::vector<double> values;
+    for (const ParameterInfo& parameter : parameters_)
+        for (int k = 0; k < widthOf(parameter.kind); ++k)
+            values.push_back(parameter.value[static_cast<std::size_t>(k)]);
+    values.push_back(0);
+    double point[2];
+    if (!criticalPoint(*kernels_, 0, values.data(), {}, point))
+        kernels_ = rowOfDimension(dimension, info_, this, code_, false);
+}
+
+std::vector<Complex<double>> FormulaMap::slope(const double* parameters) const {
+    if (formula_.degree < 1) return {};
+    const TapeCode code = slopeProgram_.code();
+    std::vector<double> values(static_cast<std::size_t>(code.stateSize), 0.0);
+    runOnce(code, values.data(), parameters);
+    std::vector<Complex<double>> coefficients;
+    for (std::size_t k = 0; k + 1 < values.size(); k += 2)
+        coefficients.push_back({values[k], values[k + 1]});
+    return coefficients;
+}
+
+}  // namespace versorium

@@ -1,0 +1,957 @@
+// SPDX-License-Identifier: MIT
+// The text of formulas, read by recursive descent, and their normal form.
+#include "trace/formula.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+
+#include "base/json.h"
+#include "trace/formula_terms.h"
+
+namespace versorium {
+namespace formulas {
+
+const std::vector<FunctionInfo> kFunctions = {
+    {"exp", Function::exp, 1},     {"log", Function::log, 1},     {"ln", Function::log, 1},
+    {"sqrt", Function::sqrt, 1},   {"sin", Function::sin, 1},     {"cos", Function::cos, 1},
+    {"tan", Function::tan, 1},     {"sinh", Function::sinh, 1},   {"cosh", Function::cosh, 1},
+    {"tanh", Function::tanh, 1},   {"asin", Function::asin, 1},   {"acos", Function::acos, 1},
+    {"atan", Function::atan, 1},   {"asinh", Function::asinh, 1}, {"acosh", Function::acosh, 1},
+    {"atanh", Function::atanh, 1}, {"abs", Function::abs, 1},     {"norm", Function::norm, 1},
+    {"arg", Function::arg, 1},     {"re", Function::re, 1},       {"im", Function::im, 1},
+    {"conj", Function::conj, 1},   {"floor", Function::floor, 1}, {"min", Function::min, 2},
+    {"max", Function::max, 2},     {"atan2", Function::atan2, 2}, {"if", Function::choose, 3},
+};
+
+namespace {
+
+constexpr std::size_t kNameCharacters = 24;
+constexpr std::size_t kNumberCharacters = 40;
+constexpr double kPi = 3.14159265358979323846, kE = 2.71828182845904523536;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+bool isBlank(char32_t c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == 0xa0; }
+bool isDigit(char32_t c) { return c >= '0' && c <= '9'; }
+bool isLetter(char32_t c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool isPrime(char32_t c) { return c == '\'' || c == 0x2032 || c == 0x2019; }
+
+// One character for each code point; a broken byte is one of its own.
+std::vector<char32_t> charactersOf(std::string_view text) {
+    std::vector<char32_t> all;
+    for (std::size_t i = 0; i < text.size();) {
+        const auto byte = [&](std::size_t k) {
+            return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u;
+        };
+        const unsigned first = byte(i);
+        const int more = first < 0x80 ? 0 : first >= 0xf0 ? 3 : first >= 0xe0 ? 2 : 1;
+        char32_t value = more == 0 ? first : first & (0x3fu >> more);
+        bool good = more == 0 || (first >= 0xc2 && first < 0xf5);
+        for (int k = 1; k <= more && good; ++k) {
+            good = (byte(i + at(k)) & 0xc0u) == 0x80u;
+            value = (value << 6) | (byte(i + at(k)) & 0x3fu);
+        }
+        all.push_back(good ? value : 0xfffd);
+        i += good ? at(more) + 1 : 1;
+    }
+    return all;
+}
+
+std::string utf8(char32_t c) {
+    std::string text;
+    if (c < 0x80) return text += static_cast<char>(c);
+    if (c < 0x800) {
+        text += static_cast<char>(0xc0 | (c >> 6));
+    } else {
+        if (c < 0x10000) {
+            text += static_cast<char>(0xe0 | (c >> 12));
+        } else {
+            text += static_cast<char>(0xf0 | (c >> 18));
+            text += static_cast<char>(0x80 | ((c >> 12) & 0x3f));
+        }
+        text += static_cast<char>(0x80 | ((c >> 6) & 0x3f));
+    }
+    return text += static_cast<char>(0x80 | (c & 0x3f));
+}
+
+std::string_view kindName(FormulaKind kind) {
+    constexpr std::string_view kNames[] = {"real", "whole", "complex", "quaternion"};
+    return kNames[static_cast<int>(kind)];
+}
+
+struct Declaration {
+    std::string name;
+    std::size_t position = 0;
+    std::optional<FormulaKind> kind;
+    std::optional<Expression> value;
+    bool ranged = false;
+    double low = 0, high = 0;
+};
+
+struct Statement {
+    std::string head;  // z, q, x, y, or empty
+    std::size_t position = 0;
+    Expression expression;
+};
+
+class Parser {
+  public:
+    explicit Parser(std::string_view text) : text_(charactersOf(text)) {}
+
+    FormulaFault fault;
+    std::vector<Statement> statements;
+    std::vector<Declaration> declarations;
+    std::vector<std::string> names;  // in the order in which they stand
+
+    bool parse() {
+        if (text_.size() > kFormulaCharacters)
+            return fail(kFormulaCharacters, "a formula has at most " +
+                                                std::to_string(kFormulaCharacters) + " characters");
+        do {
+            if (!parseStatement()) return false;
+            if (statements.size() > 2)
+                return fail(statements.back().position,
+                            "a map has one component, or the two of the plane");
+        } while (take(','));
+        while (take(';')) {
+            if (atEnd()) break;
+            do {
+                if (!parseDeclaration()) return false;
+            } while (take(','));
+        }
+        skipBlanks();
+        return atEnd() || expected("an operator, \",\" or the formula's end");
+    }
+    std::size_t size() const { return text_.size(); }
+
+  private:
+    char32_t peek(std::size_t ahead = 0) const {
+        return position_ + ahead < text_.size() ? text_[position_ + ahead] : U'\0';
+    }
+    void skipBlanks() {
+        while (position_ < text_.size() && isBlank(text_[position_])) ++position_;
+    }
+    bool atEnd() {
+        skipBlanks();
+        return position_ >= text_.size();
+    }
+    bool take(char32_t c) {
+        skipBlanks();
+        if (position_ >= text_.size() || text_[position_] != c) return false;
+        ++position_;
+        return true;
+    }
+    bool takeWord(std::string_view word) {
+        skipBlanks();
+        for (std::size_t k = 0; k < word.size(); ++k)
+            if (peek(k) != static_cast<char32_t>(word[k])) return false;
+        if (isLetter(static_cast<char32_t>(word.back())) &&
+            (isLetter(peek(word.size())) || isDigit(peek(word.size())) || peek(word.size()) == '_'))
+            return false;
+        position_ += word.size();
+        return true;
+    }
+    bool fail(std::size_t position, std::string message) {
+        fault = {std::min(position, text_.size()), std::move(message)};
+        return false;
+    }
+    bool expected(const std::string& what) {
+        skipBlanks();
+        const bool end = position_ >= text_.size();
+        return fail(position_, what + " is expected, not " +
+                                   (end ? "the end" : "\"" + utf8(text_[position_]) + "\""));
+    }
+
+    std::string peekName() {
+        skipBlanks();
+        std::string name;
+        if (!isLetter(peek())) return name;
+        for (std::size_t k = 0; isLetter(peek(k)) || isDigit(peek(k)) || peek(k) == '_'; ++k)
+            name += static_cast<char>(peek(k));
+        return name;
+    }
+
+    bool parseStatement() {
+        Statement statement;
+        skipBlanks();
+        statement.position = position_;
+        const std::string name = peekName();
+        if (name.size() == 1 && std::string_view("zqxy").find(name[0]) != std::string_view::npos) {
+            const std::size_t start = position_;
+            ++position_;
+            skipBlanks();
+            const std::size_t after = position_;
+            if (isPrime(peek())) {
+                ++position_;
+                if (!take('=')) return expected("\"=\" after " + name + "'");
+                statement.head = name;
+            } else if (takeWord("->") || take(0x2192) || take(0x21a6)) {
+                statement.head = name;
+            } else if (peek() == '=' && peek(1) != '=') {
+                return fail(after, "write " + name + "' = … for the next value of " + name);
+            } else {
+                position_ = start;
+            }
+        }
+        expression_ = &statement.expression;
+        if (!parseAny()) return false;
+        statements.push_back(std::move(statement));
+        return true;
+    }
+
+    bool parseDeclaration() {
+        Declaration declaration;
+        declaration.name = peekName();
+        declaration.position = position_;
+        if (declaration.name.empty()) return expected("a parameter's name, as in c = -0.1 + 0.7i,");
+        position_ += declaration.name.size();
+        if (take(':')) {
+            const std::string word = peekName();
+            for (FormulaKind kind : {FormulaKind::real, FormulaKind::whole, FormulaKind::complex,
+                                     FormulaKind::quaternion})
+                if (word == kindName(kind)) declaration.kind = kind;
+            if (!declaration.kind) return expected("real, whole, complex or quaternion");
+            position_ += word.size();
+        }
+        if (take('=')) {
+            declaration.value.emplace();
+            expression_ = &*declaration.value;
+            inDeclaration_ = true;
+            if (!parseAny()) return false;
+        }
+        if (takeWord("in")) {
+            declaration.ranged = true;
+            if (!take('[')) return expected("\"[\", as in [-2, 2],");
+            if (!parseEnd(declaration.low)) return false;
+            if (!take(',')) return expected("\",\" between the ends of the range");
+            if (!parseEnd(declaration.high)) return false;
+            const std::size_t end = position_;
+            if (!take(']')) return expected("\"]\"");
+            if (!(declaration.low < declaration.high))
+                return fail(end, "the lower end of the range comes first");
+        }
+        declarations.push_back(std::move(declaration));
+        return true;
+    }
+    bool parseEnd(double& value) {
+        const bool negative = take('-') || take(0x2212);
+        skipBlanks();
+        if (!isDigit(peek()) && peek() != '.') return expected("a number");
+        if (!parseNumber(value)) return false;
+        if (negative) value = -value;
+        return true;
+    }
+
+    int add(TermKind kind, std::size_t position, int a = -1, int b = -1, int c = -1) {
+        Term term;
+        term.kind = kind;
+        term.a = a, term.b = b, term.c = c;
+        term.position = position;
+        expression_->terms.push_back(term);
+        return static_cast<int>(expression_->terms.size()) - 1;
+    }
+    int last() const { return static_cast<int>(expression_->terms.size()) - 1; }
+
+    class Deeper {
+      public:
+        explicit Deeper(int& depth) : depth_(++depth) {}
+        ~Deeper() { --depth_; }
+
+      private:
+        int& depth_;
+    };
+    bool tooDeep() {
+        if (depth_ <= kFormulaDepth) return false;
+        fail(position_, "brackets, signs and exponents stand in each other more than " +
+                            std::to_string(kFormulaDepth) + " deep");
+        return true;
+    }
+
+    // condition ? a : b
+    bool parseAny() {
+        const Deeper deeper(depth_);
+        if (tooDeep() || !parseOr()) return false;
+        skipBlanks();
+        const std::size_t position = position_;
+        if (!take('?')) return true;
+        const int condition = last();
+        if (!parseAny()) return false;
+        const int yes = last();
+        if (!take(':')) return expected("\":\" of a ? b : c");
+        if (!parseAny()) return false;
+        const int no = last();
+        const int choice = add(TermKind::call, position, condition, yes, no);
+        expression_->terms[at(choice)].index = static_cast<int>(Function::choose);
+        return true;
+    }
+    bool parseOr() {
+        if (!parseAnd()) return false;
+        while (true) {
+            skipBlanks();
+            const std::size_t position = position_;
+            if (!takeWord("||") && !takeWord("or")) return true;
+            const int left = last();
+            if (!parseAnd()) return false;
+            add(TermKind::disjunction, position, left, last());
+        }
+    }
+    bool parseAnd() {
+        if (!parseNot()) return false;
+        while (true) {
+            skipBlanks();
+            const std::size_t position = position_;
+            if (!takeWord("&&") && !takeWord("and")) return true;
+            const int left = last();
+            if (!parseNot()) return false;
+            add(TermKind::conjunction, position, left, last());
+        }
+    }
+    bool parseNot() {
+        skipBlanks();
+        const std::size_t position = position_;
+        if (takeWord("not") || (peek() == '!' && peek(1) != '=' && take('!'))) {
+            const Deeper deeper(depth_);
+            if (tooDeep() || !parseNot()) return false;
+            add(TermKind::negation, position, last());
+            return true;
+        }
+        return parseComparison();
+    }
+    std::optional<TermKind> takeComparison() {
+        if (takeWord("<=") || take(0x2264)) return TermKind::lessEqual;
+        if (takeWord(">=") || take(0x2265)) return TermKind::greaterEqual;
+        if (takeWord("==")) return TermKind::equal;
+        if (takeWord("!=") || take(0x2260)) return TermKind::notEqual;
+        if (take('<')) return TermKind::less;
+        if (take('>')) return TermKind::greater;
+        return std::nullopt;
+    }
+    bool parseComparison() {
+        if (!parseSum()) return false;
+        skipBlanks();
+        const std::size_t position = position_;
+        const std::optional<TermKind> kind = takeComparison();
+        if (!kind) return true;
+        const int left = last();
+        if (!parseSum()) return false;
+        add(*kind, position, left, last());
+        skipBlanks();
+        const std::size_t again = position_;
+        if (takeComparison()) return fail(again, "comparisons do not chain: write a < b and b < c");
+        return true;
+    }
+    bool parseSum() {
+        if (!parseProduct()) return false;
+        while (true) {
+            skipBlanks();
+            const std::size_t position = position_;
+            const bool plus = take('+');
+            if (!plus && !(peek() == '-' && peek(1) != '>' && take('-')) && !take(0x2212))
+                return true;
+            const int left = last();
+            if (!parseProduct()) return false;
+            add(plus ? TermKind::add : TermKind::subtract, position, left, last());
+        }
+    }
+    // A number that stands directly before a name or a bracket.
+    bool touchesNext() const {
+        return bareNumber_ && (isLetter(peek()) || peek() == '(' || peek() == 0x3c0);
+    }
+    bool parseProduct() {
+        if (!parseSign()) return false;
+        while (true) {
+            if (touchesNext()) {
+                const std::size_t position = position_;
+                const int left = last();
+                if (!parseSign()) return false;
+                add(TermKind::multiply, position, left, last());
+                continue;
+            }
+            skipBlanks();
+            const std::size_t position = position_;
+            const bool times = take('*') || take(0xb7) || take(0xd7) || take(0x22c5);
+            if (!times && !take('/')) return true;
+            if (times && peek() == '*')
+                return fail(position, "powers are written with ^, as in z^2");
+            const int left = last();
+            if (!parseSign()) return false;
+            if (!times && touchesNext())
+                return fail(position_, "1/2z could mean two things: write 1/(2*z) or 1/2*z");
+            add(times ? TermKind::multiply : TermKind::divide, position, left, last());
+        }
+    }
+    bool parseSign() {
+        skipBlanks();
+        const std::size_t position = position_;
+        const bool plus = take('+');
+        if (plus || take('-') || take(0x2212)) {
+            const Deeper deeper(depth_);
+            if (tooDeep() || !parseSign()) return false;
+            if (plus) return true;
+            add(TermKind::negate, position, last());
+            // -2z is (-2) z: the same, and the number is still bare.
+            return true;
+        }
+        return parsePower();
+    }
+    bool parsePower() {
+        if (!parsePostfix()) return false;
+        skipBlanksBeforePower();
+        const std::size_t position = position_;
+        const int base = last();
+        if (const int digit = superscript(peek()); digit >= 0) {
+            ++position_;
+            bareNumber_ = false;
+            add(TermKind::number, position);
+            expression_->terms.back().number = digit;
+            add(TermKind::power, position, base, last());
+            return true;
+        }
+        if (peek() != '^') return true;
+        ++position_;
+        if (!parseExponent()) return false;
+        if (touchesNext())
+            return fail(position_, "z^2c could mean two things: write z^2*c or z^(2*c)");
+        bareNumber_ = false;
+        add(TermKind::power, position, base, last());
+        return true;
+    }
+    // Only if a power follows: a blank after a bare number ends it, "2 z" is no product.
+    void skipBlanksBeforePower() {
+        std::size_t next = position_;
+        while (next < text_.size() && isBlank(text_[next])) ++next;
+        if (next < text_.size() && text_[next] == '^') position_ = next;
+    }
+    static int superscript(char32_t c) {
+        return c == 0xb2 ? 2 : c == 0xb3 ? 3 : c >= 0x2074 && c <= 0x2079 ? int(c) - 0x2070 : -1;
+    }
+    bool parseExponent() {
+        const Deeper deeper(depth_);
+        if (tooDeep()) return false;
+        skipBlanks();
+        const std::size_t position = position_;
+        if (take('+')) return parseExponent();
+        if (take('-') || take(0x2212)) {
+            if (!parseExponent()) return false;
+            add(TermKind::negate, position, last());
+            return true;
+        }
+        return parsePower();
+    }
+    bool parsePostfix() {
+        if (!parseAtom()) return false;
+        while (peek() == '.' && !bareNumber_) {
+            const std::size_t position = position_;
+            ++position_;
+            const std::string word = peekName();
+            constexpr std::pair<std::string_view, int> kComponents[] = {
+                {"re", 0}, {"im", 1}, {"w", 0}, {"x", 1}, {"y", 2}, {"z", 3}};
+            const auto* found =
+                std::find_if(std::begin(kComponents), std::end(kComponents),
+                             [&](const auto& component) { return component.first == word; });
+            if (found == std::end(kComponents))
+                return expected("a component, .re, .im, .w, .x, .y or .z,");
+            position_ += word.size();
+            const int whole = last();
+            add(TermKind::component, position, whole);
+            expression_->terms.back().index = found->second;
+        }
+        return true;
+    }
+    bool parseAtom() {
+        skipBlanks();
+        bareNumber_ = false;
+        const std::size_t position = position_;
+        if (isDigit(peek()) || (peek() == '.' && isDigit(peek(1)))) {
+            double value = 0;
+            if (!parseNumber(value)) return false;
+            add(TermKind::number, position);
+            expression_->terms.back().number = value;
+            bareNumber_ = true;
+            return true;
+        }
+        if (take('(')) {
+            if (!parseAny()) return false;
+            bareNumber_ = false;
+            if (!take(')')) return expected("an operator or \")\"");
+            return true;
+        }
+        if (take('|')) return fail(position, "write abs(z) for the modulus, and || for \"or\"");
+        if (take(0x3c0)) {
+            addName("pi", position);
+            return true;
+        }
+        const std::string name = peekName();
+        if (name.empty()) return expected("a number, a name or \"(\"");
+        if (name.size() > kNameCharacters)
+            return fail(position,
+                        "a name has at most " + std::to_string(kNameCharacters) + " characters");
+        position_ += name.size();
+        return parseNamed(name, position);
+    }
+    bool parseNamed(const std::string& name, std::size_t position) {
+        const auto function =
+            std::find_if(kFunctions.begin(), kFunctions.end(),
+                         [&](const FunctionInfo& info) { return name == info.name; });
+        const bool bracket = peek() == '(';
+        if (function == kFunctions.end()) {
+            if (bracket && name.size() > 1) {
+                std::string all;
+                for (const FunctionInfo& info : kFunctions)
+                    all += (all.empty() ? "" : ", ") + std::string(info.name);
+                return fail(position, "there is no function \"" + name + "\"; there are " + all +
+                                          "; for a product write " + name + "*(…)");
+            }
+            if (bracket) return fail(position_, "for a product write " + name + "*(…)");
+            if (name == "and" || name == "or" || name == "not" || name == "in")
+                return fail(position,
+                            "a number, a name or \"(\" is expected, not \"" + name + "\"");
+            addName(name, position);
+            return true;
+        }
+        if (!take('(')) return expected("\"(\" after " + name);
+        int arguments[3] = {-1, -1, -1};
+        for (int k = 0; k < function->arguments; ++k) {
+            if (k > 0 && !take(','))
+                return expected("\",\" and " +
+                                std::string(function->arguments - k > 1 ? "two more arguments"
+                                                                        : "one more argument") +
+                                " of " + name);
+            if (!parseAny()) return false;
+            arguments[k] = last();
+        }
+        bareNumber_ = false;
+        if (!take(')')) return expected("an operator or \")\"");
+        add(TermKind::call, position, arguments[0], arguments[1], arguments[2]);
+        expression_->terms.back().index = static_cast<int>(function->function);
+        return true;
+    }
+    void addName(const std::string& name, std::size_t position) {
+        auto found = std::find(names.begin(), names.end(), name);
+        if (found == names.end()) {
+            names.push_back(name);
+            found = names.end() - 1;
+        }
+        add(TermKind::name, position);
+        expression_->terms.back().index = static_cast<int>(found - names.begin());
+    }
+    bool parseNumber(double& value) {
+        const std::size_t start = position_;
+        std::string word;
+        const auto digits = [&] {
+            while (isDigit(peek())) word += static_cast<char>(peek()), ++position_;
+        };
+        digits();
+        if (peek() == '.' && !isLetter(peek(1))) {
+            word += '.';
+            ++position_;
+            digits();
+            if (peek() == '.') return expected("an operator");
+        }
+        const std::size_t sign = peek(1) == '-' || peek(1) == '+' ? 2 : 1;
+        if ((peek() == 'e' || peek() == 'E') && isDigit(peek(sign))) {
+            for (std::size_t k = 0; k < sign; ++k) word += static_cast<char>(peek()), ++position_;
+            digits();
+        }
+        if (word.size() > kNumberCharacters)
+            return fail(
+                start, "a number has at most " + std::to_string(kNumberCharacters) + " characters");
+        value = std::strtod(word.c_str(), nullptr);
+        if (!(value <= kFormulaLargest))
+            return fail(start, "the number is too large: at most 1e100");
+        return true;
+    }
+
+    std::vector<char32_t> text_;
+    std::size_t position_ = 0;
+    Expression* expression_ = nullptr;
+    bool inDeclaration_ = false;
+    bool bareNumber_ = false;
+    int depth_ = 0;
+};
+
+// ---- what names mean ---------------------------------------------------------------------------
+
+class Meaning {
+  public:
+    Meaning(Parser& parser, Formula& formula) : parser_(parser), formula_(formula) {}
+    FormulaFault fault;
+
+    bool find() { return findSpace() && resolveAll() && declare() && findDefaults(); }
+    const std::vector<Expression>& components() const { return components_; }
+
+  private:
+    bool fail(std::size_t position, std::string message) {
+        fault = {position, std::move(message)};
+        return false;
+    }
+    bool speaksOf(const std::string& name) const {
+        for (const Statement& statement : parser_.statements)
+            for (const Term& term : statement.expression.terms)
+                if (term.kind == TermKind::name && parser_.names[at(term.index)] == name)
+                    return true;
+        return false;
+    }
+    bool findSpace() {
+        auto& all = parser_.statements;
+        if (all.size() == 2) {
+            formula_.space = FormulaSpace::plane;
+            for (Statement& one : all)
+                if (one.head == "z" || one.head == "q")
+                    return fail(one.position, "two components are those of the plane: x' and y'");
+            if (all[0].head.empty() != all[1].head.empty())
+                return fail(all[all[0].head.empty() ? 0 : 1].position,
+                            "x' = … and y' = … are expected, both or neither");
+            if (!all[0].head.empty() && all[0].head == all[1].head)
+                return fail(all[1].position,
+                            std::string(all[0].head == "x" ? "y" : "x") + "' = … is expected here");
+            if (all[0].head == "y") std::swap(all[0], all[1]);
+            return true;
+        }
+        std::string head = all[0].head;
+        if (head == "y") return fail(all[0].position, "y' needs an x' beside it: x' = …, y' = …");
+        for (const char* name : {"z", "q", "x"})
+            if (head.empty() && speaksOf(name)) head = name;
+        if (head.empty())
+            return fail(0,
+                        "a formula speaks of z (complex), q (quaternion) or x (real), such as "
+                        "z^2 + c; the plane is x' = …, y' = …");
+        formula_.space = head == "z"   ? FormulaSpace::complex
+                         : head == "q" ? FormulaSpace::quaternion
+                                       : FormulaSpace::line;
+        if (head == "x" && speaksOf("y") && all[0].head.empty() == false)
+            return fail(parser_.size(), "y' = … is expected, since x' speaks of y");
+        return true;
+    }
+
+    bool isReal() const {
+        return formula_.space == FormulaSpace::line || formula_.space == FormulaSpace::plane;
+    }
+    bool isReserved(const std::string& name) const {
+        if (name == "pi" || name == "e" || name == "i") return true;
+        if (formula_.space == FormulaSpace::quaternion && (name == "j" || name == "k")) return true;
+        return std::any_of(kFunctions.begin(), kFunctions.end(),
+                           [&](const FunctionInfo& info) { return name == info.name; }) ||
+               name == "and" || name == "or" || name == "not" || name == "in";
+    }
+    int variableOf(const std::string& name) const {
+        switch (formula_.space) {
+            case FormulaSpace::complex:
+                return name == "z" ? 0 : -1;
+            case FormulaSpace::quaternion:
+                return name == "q" ? 0 : -1;
+            case FormulaSpace::line:
+                return name == "x" ? 0 : -1;
+            default:
+                return name == "x" ? 0 : name == "y" ? 1 : -1;
+        }
+    }
+    // Names become variables, constants, and numbers of parameters.
+    bool resolve(Expression& expression, bool constantsOnly) {
+        for (Term& term : expression.terms) {
+            if (term.kind != TermKind::name) continue;
+            const std::string& name = parser_.names[at(term.index)];
+            if (name == "pi" || name == "e") {
+                term.kind = TermKind::number;
+                term.number = name == "pi" ? kPi : kE;
+            } else if (isReserved(name)) {
+                if (isReal())
+                    return fail(term.position,
+                                "the formula is one of real numbers: there is no \"i\" in it");
+                term.kind = TermKind::unit;
+                term.index = name == "i" ? 1 : name == "j" ? 2 : 3;
+            } else if (constantsOnly) {
+                return fail(term.position,
+                            "a default is made of numbers alone, not of \"" + name + "\"");
+            } else if (variableOf(name) >= 0) {
+                term.kind = TermKind::variable;
+                term.index = variableOf(name);
+            } else {
+                const auto known = std::find_if(
+                    formula_.parameters.begin(), formula_.parameters.end(),
+                    [&](const FormulaParameter& parameter) { return parameter.name == name; });
+                term.index = static_cast<int>(known - formula_.parameters.begin());
+                if (known == formula_.parameters.end()) {
+                    formula_.parameters.push_back({.name = name});
+                    positions_.push_back(term.position);
+                    exponent_.push_back(false);
+                }
+            }
+        }
+        return true;
+    }
+    bool resolveAll() {
+        for (Statement& statement : parser_.statements) {
+            if (!resolve(statement.expression, false)) return false;
+            const auto& terms = statement.expression.terms;
+            for (const Term& term : terms)
+                if (term.kind == TermKind::power && terms[at(term.b)].kind == TermKind::name)
+                    exponent_[at(terms[at(term.b)].index)] = true;
+            components_.push_back(statement.expression);
+        }
+        if (formula_.space == FormulaSpace::line && formula_.parameters.empty())
+            return fail(parser_.size(),
+                        "a formula of the real line needs a parameter to be drawn against, such as "
+                        "r in r*x*(1 - x)");
+        return true;
+    }
+    bool declare() {
+        const FormulaKind own = isReal()                                  ? FormulaKind::real
+                                : formula_.space == FormulaSpace::complex ? FormulaKind::complex
+                                                                          : FormulaKind::quaternion;
+        for (std::size_t k = 0; k < formula_.parameters.size(); ++k)
+            formula_.parameters[k].kind = exponent_[k] ? FormulaKind::real : own;
+        std::set<std::string> seen;
+        for (Declaration& declaration : parser_.declarations) {
+            const auto known = std::find_if(
+                formula_.parameters.begin(), formula_.parameters.end(),
+                [&](const FormulaParameter& one) { return one.name == declaration.name; });
+            if (known == formula_.parameters.end())
+                return fail(declaration.position,
+                            isReserved(declaration.name)
+                                ? "\"" + declaration.name + "\" has a meaning of its own"
+                                : "the formula has no parameter \"" + declaration.name + "\"");
+            if (!seen.insert(declaration.name).second)
+                return fail(declaration.position, "\"" + declaration.name + "\" is declared twice");
+            const FormulaKind kind = declaration.kind.value_or(known->kind);
+            const bool fits = kind == FormulaKind::real || kind == FormulaKind::whole ||
+                              kind == own ||
+                              (kind == FormulaKind::complex && own == FormulaKind::quaternion);
+            if (!fits)
+                return fail(declaration.position, "a formula of this kind has no " +
+                                                      std::string(kindName(kind)) + " parameters");
+            known->kind = kind;
+        }
+        int numbers = 0;
+        for (std::size_t k = 0; k < formula_.parameters.size(); ++k) {
+            numbers += widthOf(formula_.parameters[k].kind);
+            if (numbers > kFormulaNumbers)
+                return fail(positions_[k], "the parameters are more than " +
+                                               std::to_string(kFormulaNumbers) +
+                                               " numbers together");
+        }
+        return true;
+    }
+    bool findDefaults() {
+        for (std::size_t k = 0; k < formula_.parameters.size(); ++k)
+            standard(formula_.parameters[k], exponent_[k]);
+        for (Declaration& declaration : parser_.declarations) {
+            FormulaParameter& parameter = *std::find_if(
+                formula_.parameters.begin(), formula_.parameters.end(),
+                [&](const FormulaParameter& one) { return one.name == declaration.name; });
+            if (declaration.ranged)
+                parameter.low = declaration.low, parameter.high = declaration.high;
+            if (!declaration.value) continue;
+            if (!resolve(*declaration.value, true)) return false;
+            if (!constantOf(*declaration.value, formula_.space, parameter.kind, parameter.value,
+                            fault))
+                return false;
+            if (parameter.kind == FormulaKind::whole &&
+                std::floor(parameter.value[0]) != parameter.value[0])
+                return fail(declaration.value->terms[0].position, "a whole number is expected");
+        }
+        return true;
+    }
+    static void standard(FormulaParameter& parameter, bool exponent) {
+        const bool added = parameter.name == "c";
+        if (parameter.kind == FormulaKind::complex) {
+            // The rabbit's for c, since many families add it.
+            parameter.value = {added ? -0.122561 : 1, added ? 0.744862 : 0, 0, 0};
+            parameter.low = -2, parameter.high = 2;
+        } else if (parameter.kind == FormulaKind::quaternion) {
+            parameter.value = {added ? 0.285 : 1, added ? 0.485 : 0, 0, 0};
+            parameter.low = -2, parameter.high = 2;
+        } else {
+            parameter.value = {exponent ? 2.0 : 1.0, 0, 0, 0};
+            if (exponent) parameter.low = -8, parameter.high = 8;
+        }
+    }
+
+    Parser& parser_;
+    Formula& formula_;
+    std::vector<Expression> components_;
+    std::vector<std::size_t> positions_;
+    std::vector<bool> exponent_;
+};
+
+// ---- the normal form ---------------------------------------------------------------------------
+
+// How tightly a term holds together.
+enum Level { kOr = 1, kAnd, kNot, kComparison, kSum, kProduct, kSign, kPower, kAtom };
+
+struct Printed {
+    std::string text;
+    int level = kAtom;
+};
+
+std::string bracketed(const Printed& printed, int least) {
+    return printed.level < least ? "(" + printed.text + ")" : printed.text;
+}
+
+Printed printTerm(const Term& term, const std::vector<Printed>& all, const Parser& parser,
+                  const Formula& formula, FormulaSpace space) {
+    const auto left = [&](int least) { return bracketed(all[at(term.a)], least); };
+    const auto right = [&](int least) { return bracketed(all[at(term.b)], least); };
+    const auto binary = [&](const char* sign, int level, int leftLeast, int rightLeast) {
+        return Printed{left(leftLeast) + sign + right(rightLeast), level};
+    };
+    (void)parser;
+    switch (term.kind) {
+        case TermKind::number:
+            if (term.number == kPi) return {"pi"};
+            if (term.number == kE) return {"e"};
+            return {formatNumber(term.number)};
+        case TermKind::unit:
+            return {std::string(1, "1ijk"[term.index])};
+        case TermKind::variable:
+            return {space == FormulaSpace::complex      ? "z"
+                    : space == FormulaSpace::quaternion ? "q"
+                    : term.index == 0                   ? "x"
+                                                        : "y"};
+        case TermKind::name:
+            return {formula.parameters[at(term.index)].name};
+        case TermKind::component: {
+            constexpr const char* kComplex[] = {".re", ".im", ".y", ".z"};
+            constexpr const char* kQuaternion[] = {".w", ".x", ".y", ".z"};
+            const bool number =
+                all[at(term.a)].text.find_first_not_of("0123456789.") == std::string::npos;
+            return {(number ? "(" + all[at(term.a)].text + ")" : left(kAtom)) +
+                    (space == FormulaSpace::quaternion ? kQuaternion : kComplex)[term.index]};
+        }
+        case TermKind::add:
+            return binary(" + ", kSum, kSum, kProduct);
+        case TermKind::subtract:
+            return binary(" - ", kSum, kSum, kProduct);
+        case TermKind::multiply:
+            return binary("*", kProduct, kProduct, kSign);
+        case TermKind::divide:
+            return binary("/", kProduct, kProduct, kSign);
+        case TermKind::negate:
+            return {"-" + left(kSign), kSign};
+        case TermKind::power:
+            return binary("^", kPower, kAtom, kSign);
+        case TermKind::less:
+            return binary(" < ", kComparison, kSum, kSum);
+        case TermKind::lessEqual:
+            return binary(" <= ", kComparison, kSum, kSum);
+        case TermKind::greater:
+            return binary(" > ", kComparison, kSum, kSum);
+        case TermKind::greaterEqual:
+            return binary(" >= ", kComparison, kSum, kSum);
+        case TermKind::equal:
+            return binary(" == ", kComparison, kSum, kSum);
+        case TermKind::notEqual:
+            return binary(" != ", kComparison, kSum, kSum);
+        case TermKind::conjunction:
+            return binary(" and ", kAnd, kAnd, kNot);
+        case TermKind::disjunction:
+            return binary(" or ", kOr, kOr, kAnd);
+        case TermKind::negation:
+            return {"not " + left(kNot), kNot};
+        default: {
+            std::string text;
+            for (const FunctionInfo& info : kFunctions)
+                if (text.empty() && static_cast<int>(info.function) == term.index)
+                    text = std::string(info.name) + "(";
+            text += all[at(term.a)].text;
+            for (int operand : {term.b, term.c})
+                if (operand >= 0) text += ", " + all[at(operand)].text;
+            return {text + ")"};
+        }
+    }
+}
+
+std::string printExpression(const Expression& expression, const Parser& parser,
+                            const Formula& formula) {
+    std::vector<Printed> all;
+    for (const Term& term : expression.terms)
+        all.push_back(printTerm(term, all, parser, formula, formula.space));
+    return all.back().text;
+}
+
+// "-0.1 + 0.7*i", and so that it reads back as the same numbers.
+std::string printValue(const FormulaParameter& parameter) {
+    constexpr const char* kUnits[] = {"", "*i", "*j", "*k"};
+    std::string text = formatNumber(parameter.value[0]);
+    for (int k = 1; k < widthOf(parameter.kind); ++k) {
+        const double part = parameter.value[at(k)];
+        if (part == 0 && !std::signbit(part)) continue;
+        text += std::string(std::signbit(part) ? " - " : " + ") + formatNumber(std::abs(part)) +
+                kUnits[k];
+    }
+    return text;
+}
+
+}  // namespace
+}  // namespace formulas
+
+int widthOf(FormulaKind kind) {
+    return kind == FormulaKind::complex ? 2 : kind == FormulaKind::quaternion ? 4 : 1;
+}
+
+int dimensionOf(FormulaSpace space) {
+    return space == FormulaSpace::line ? 1 : space == FormulaSpace::quaternion ? 4 : 2;
+}
+
+namespace {
+
+// The declarations that the defaults do not say already.
+std::string declarationsOf(const formulas::Parser& parser, const Formula& formula) {
+    std::string text;
+    for (const FormulaParameter& parameter : formula.parameters)
+        for (const formulas::Declaration& declared : parser.declarations) {
+            if (declared.name != parameter.name) continue;
+            text += "; " + parameter.name;
+            if (declared.kind) text += ": " + std::string(formulas::kindName(parameter.kind));
+            if (declared.value) text += " = " + formulas::printValue(parameter);
+            if (declared.ranged)
+                text += " in [" + formatNumber(parameter.low) + ", " +
+                        formatNumber(parameter.high) + "]";
+        }
+    return text;
+}
+
+}  // namespace
+
+Expected<Formula> parseFormula(std::string_view text, FormulaFault* fault) {
+    Formula formula;
+    formulas::Parser parser(text);
+    FormulaFault found;
+    const auto refused = [&]() -> Expected<Formula> {
+        if (fault) *fault = found;
+        return Status::usage("character " + std::to_string(found.position + 1) + ": " +
+                             found.message);
+    };
+    if (!parser.parse()) return found = parser.fault, refused();
+    formulas::Meaning meaning(parser, formula);
+    if (!meaning.find()) return found = meaning.fault, refused();
+    if (!formulas::recordFormula(meaning.components(), formula, found)) return refused();
+    const auto& parts = meaning.components();
+    formula.body = formulas::printExpression(parts[0], parser, formula);
+    if (parts.size() == 2)
+        formula.body = "x' = " + formula.body +
+                       ", y' = " + formulas::printExpression(parts[1], parser, formula);
+    else if (!parser.statements[0].head.empty())
+        formula.body = parser.statements[0].head + "' = " + formula.body;
+    formula.text = formula.body + declarationsOf(parser, formula);
+    return formula;
+}
+
+std::string withCaret(std::string_view text, const FormulaFault& fault) {
+    std::string shown, line;
+    std::size_t position = 0;
+    for (char32_t c : formulas::charactersOf(text)) {
+        shown += formulas::isBlank(c) || c < 0x20 ? " " : formulas::utf8(c);
+        if (position++ < fault.position) line += ' ';
+    }
+    return fault.message + "\n    " + shown + "\n    " + line + "^";
+}
+
+bool looksLikeFormula(std::string_view text) {
+    return text.find_first_of("^*/+()=<>,; '") != std::string_view::npos ||
+           std::any_of(text.begin(), text.end(), [](char c) { return c & 0x80; });
+}
+
+}  // namespace versorium

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A map that a user types, read into the very tape that a built-in map leaves.
+//
+//   z^2 + c                                a complex formula: it speaks of z
+//   x' = 1 - a*x^2 + y, y' = b*x           the plane: two real formulas (also "1 - a*x^2 + y, b*x")
+//   q^2 + c                                quaternions: it speaks of q and not of z
+//   r*x*(1 - x)                            the real line: it speaks of x alone
+//   z^3 - a*z + c; a: real = 0.5 in [0, 4]; c = -0.1 + 0.7i
+//
+// A head (z' =, q' =, x' =, or z ->) decides where a formula lives, else the first of z, q, x that
+// stands in it. All other names are parameters, in the order in which they stand: complex in a
+// complex formula, real in one of the line or the plane, quaternions in a quaternion formula. A
+// name that stands alone as an exponent is real. Declarations after a semicolon say otherwise:
+// name: kind = default in [low, high], each part optional, with the kinds real, whole, complex and
+// quaternion.
+//
+// Operators, loosest first: c ? a : b, or (||), and (&&), not (!), comparisons of real numbers,
+// + -, * /, the sign, ^ (from the right; -z^2 is -(z^2)). A number may stand directly before a name
+// or a bracket, 2z = 2*z, but not after / or ^, where it could mean two things. Postfix: z.re,
+// z.im, q.w … q.z. · and × are *, ² and ³ are ^2 and ^3, π is pi. Constants: pi, e, i, and j, k of
+// quaternions.
+//
+// Functions: exp log sqrt sin cos tan sinh cosh tanh asin acos atan asinh acosh atanh on their
+// principal branches (math/functions.h), abs (the modulus), norm (its square), arg, re, im, conj;
+// of real numbers floor, min, max, atan2; if(condition, a, b). In a complex formula, sqrt, log, the
+// inverse functions and fractional powers of a real number are complex. A whole exponent up to ±256
+// that is written out is done by repeated squaring, as built-in maps do; a real exponent is a power
+// on the principal branch (math/power.h), a complex one e^(w log z).
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/status.h"
+#include "math/complex.h"
+#include "trace/tape.h"
+
+namespace versorium {
+
+inline constexpr std::size_t kFormulaCharacters = 1000;
+inline constexpr int kFormulaDepth = 64;          // of brackets, signs and exponents in each other
+inline constexpr int kFormulaNodes = 4000;        // of its tape
+inline constexpr int kFormulaNumbers = 32;        // of all parameters together
+inline constexpr double kFormulaLargest = 1e100;  // of a number that is written out
+
+enum class FormulaSpace { line, complex, plane, quaternion };
+enum class FormulaKind { real, whole, complex, quaternion };
+
+int widthOf(FormulaKind kind);
+int dimensionOf(FormulaSpace space);
+
+struct FormulaParameter {
+    std::string name;
+    FormulaKind kind = FormulaKind::real;
+    std::array<double, 4> value{};  // default
+    double low = -4, high = 4;      // range of a slider
+};
+
+// What was wrong, and at which character (from 0; the text's length at its end).
+struct FormulaFault {
+    std::size_t position = 0;
+    std::string message;
+};
+
+struct Formula {
+    FormulaSpace space = FormulaSpace::complex;
+    std::string text;  // in its normal form, which reads back as the same formula
+    std::string body;  // the same without the declarations
+    std::vector<FormulaParameter> parameters;
+    Tape tape;  // parameters component by component
+
+    // How fast it grows at infinity, |f(z)| ~ |z|^growth: the degree of a polynomial, else 0.
+    int growth = 0;
+    // Of complex formulas: whether critical points may move with a number of the parameters. A sum
+    // with and a product by what does not depend on z leave them where they are.
+    std::vector<bool> movesCritical;
+    // Of a polynomial in z: its degree, else 0, and a tape that takes the parameters to the
+    // coefficients of its derivative, constant first: re, im, re, im, …
+    int degree = 0;
+    Tape slope;
+    // Whether z -> f(z) has the form z^degree + (what does not depend on z).
+    bool unicritical = false;
+};
+
+// ErrorKind::usage with the character (counted from 1) in the message; `fault` says it for a caret.
+Expected<Formula> parseFormula(std::string_view text, FormulaFault* fault = nullptr);
+
+// The message on one line, then the text, then a ^ below the character.
+std::string withCaret(std::string_view text, const FormulaFault& fault);
+
+// Whether a text can only be meant as a formula: it has an operator, a bracket or a blank.
+bool looksLikeFormula(std::string_view text);
+
+}  // namespace versorium

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// What the parser of formulas hands to the recorder: terms in the order in which they are computed.
+
+#include <vector>
+
+#include "trace/formula.h"
+
+namespace versorium::formulas {
+
+enum class TermKind {
+    number,
+    unit,       // index 1, 2, 3: i, j, k
+    variable,   // component `index` of the state, or all of a complex number or quaternion
+    name,       // a parameter
+    call,       // function `index` of a, b, c
+    component,  // `index` of a: 0 re or w, 1 im or x, 2 y, 3 z
+    add,
+    subtract,
+    multiply,
+    divide,
+    power,
+    negate,
+    less,
+    lessEqual,
+    greater,
+    greaterEqual,
+    equal,
+    notEqual,
+    conjunction,
+    disjunction,
+    negation,
+};
+
+enum class Function {
+    exp,
+    log,
+    sqrt,
+    sin,
+    cos,
+    tan,
+    sinh,
+    cosh,
+    tanh,
+    asin,
+    acos,
+    atan,
+    asinh,
+    acosh,
+    atanh,
+    abs,
+    norm,
+    arg,
+    re,
+    im,
+    conj,
+    floor,
+    min,
+    max,
+    atan2,
+    choose,
+};
+
+struct FunctionInfo {
+    const char* name;
+    Function function;
+    int arguments;
+};
+extern const std::vector<FunctionInfo> kFunctions;
+
+struct Term {
+    TermKind kind = TermKind::number;
+    int a = -1, b = -1, c = -1;
+    int index = 0;
+    double number = 0;
+    std::size_t position = 0;
+};
+
+// The last term is the value.
+struct Expression {
+    std::vector<Term> terms;
+};
+
+// Records the expressions of a formula on its tape, and finds what its critical points follow from.
+// False with the fault where the types do not fit. Needs space and parameters.
+bool recordFormula(const std::vector<Expression>& components, Formula& formula,
+                   FormulaFault& fault);
+// The value of an expression without names, as `kind`; false with the fault.
+bool constantOf(const Expression& expression, FormulaSpace space, FormulaKind kind,
+                std::array<double, 4>& value, FormulaFault& fault);
+
+}  // namespace versorium::formulas
