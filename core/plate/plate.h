@@ -166,7 +166,8 @@ struct PanelSource {
     // Where the parameters of `other` lie on the first two axes of `scene`.
     std::function<Expected<std::array<double, 2>>(const Json& scene, const Json& other)> locate =
         {};
-    // One part for each kind of curve or point. ErrorKind::usage where the scene is no dynamical plane.
+    // One part for each kind of curve or point. ErrorKind::usage where the scene is no dynamical
+    // plane.
     std::function<Expected<std::vector<OverlayPart>>(const Json& scene, const PlateOverlay&)>
         overlay = {};
 };
