@@ -6,6 +6,7 @@
 
 #include "base/json.h"
 #include "base/random.h"
+#include "dynamics/critical_set.h"
 #include "dynamics/planar_system.h"
 #include "dynamics/system.h"
 #include "maps/critical.h"
@@ -16,7 +17,6 @@ namespace {
 // Of det J, in units of the squared size of J. Of a complex-analytic map det J = |f'|².
 constexpr double kZero = 1e-9, kZeroAnalytic = 1e-18;
 constexpr int kAcross = 5;
-constexpr int kMostCritical = 64;
 
 // The system at one point of the picture, with its start.
 struct Sample {
@@ -61,17 +61,11 @@ bool isCritical(const Sample& sample, bool analytic) {
 
 bool isPlanar(const System& system) { return system.map().info.name == "planar"; }
 
-// The polynomial that a planar map is; of its complex conjugate where that is asked for.
-std::optional<ComplexPolynomial> polynomialOf(const System& system, bool conjugate) {
-    std::vector<double> numbers = system.parameters();
-    if (conjugate)
-        for (std::size_t k = numbers.size() / 2; k < numbers.size(); ++k) numbers[k] = -numbers[k];
-    return complexPolynomialOf(numbers);
-}
-
 bool isAnalytic(const System& system, bool conjugate) {
     if (system.dimension() == 1) return !conjugate;
-    if (isPlanar(system)) return polynomialOf(system, conjugate).has_value();
+    if (isPlanar(system))
+        return conjugate ? complexPolynomialOf(conjugateOf(system.parameters())).has_value()
+                         : complexPolynomialOf(system.parameters()).has_value();
     // Elsewhere the equations are asked at points, away from poles and axes.
     Random random(17);
     for (int i = 0; i < 12; ++i) {
@@ -87,24 +81,8 @@ bool isAnalytic(const System& system, bool conjugate) {
 struct Count {
     int all = 0, free = 0;
 };
-Count countCritical(const System& system, bool conjugate) {
-    std::vector<PlanePoint> points;
-    if (isPlanar(system)) {
-        const auto polynomial = polynomialOf(system, conjugate);
-        for (const auto& z : criticalPointsOf(*polynomial)) points.push_back({z.real(), z.imag()});
-    } else {
-        for (int k = 0; k < kMostCritical; ++k) {
-            PlanePoint at{0, 0};
-            if (!criticalPoint(system.map(), k, system.parameters().data(), system.environment(),
-                               at.data()))
-                break;
-            const bool known =
-                std::any_of(points.begin(), points.end(), [&](const PlanePoint& other) {
-                    return std::abs(other[0] - at[0]) + std::abs(other[1] - at[1]) < 1e-7;
-                });
-            if (!known) points.push_back(at);
-        }
-    }
+Count countCritical(const System& system) {
+    const std::vector<PlanePoint> points = criticalPointsOf(system);
     Count count;
     count.all = static_cast<int>(points.size());
     for (const PlanePoint& point : points) {
@@ -252,7 +230,7 @@ CatalogueBadge catalogueBadge(const OrbitProgram& program, const double* centre,
                 invertible = invertible || kind == Determinant::constant;
             }
             if (!complex) continue;
-            const Count own = countCritical(sample.system, !badge.analytic);
+            const Count own = countCritical(sample.system);
             count.all = std::max(count.all, own.all);
             count.free = std::max(count.free, own.free);
         }
@@ -277,10 +255,10 @@ CatalogueBadge catalogueBadge(const OrbitProgram& program, const double* centre,
     }
     badge.criticalPoints = -1;
     if (everywhere)
-        say(badge, CatalogueAnswer::oneOfSeveral, "one of infinitely many critical points",
-            "The start lies where det J = 0, but the map is not complex-analytic and has a whole "
-            "curve of such points: the picture is a guide for the eye, nothing follows for Julia "
-            "sets.");
+        say(badge, CatalogueAnswer::oneOfSeveral, "a point where det J = 0",
+            "The start lies where det J = 0, but the map is not complex-analytic: such points are "
+            "in general a whole curve, and one orbit decides nothing about Julia sets. The picture "
+            "is a guide for the eye.");
     else
         say(badge, CatalogueAnswer::notCritical, "not a critical point",
             "At the start " + pointText(badge.start) +

@@ -27,7 +27,7 @@ struct CatalogueBadge {
     CatalogueAnswer answer = CatalogueAnswer::notAsked;
     bool analytic = false;      // the Cauchy-Riemann equations hold in the whole picture
     bool conjugate = false;     // those of the complex conjugate do: conj(z)² + c, the tricorn
-    int criticalPoints = 0;     // distinct ones at the centre; -1: a curve of them
+    int criticalPoints = 0;     // the most distinct ones in the picture; -1: not counted
     double determinant = 0;     // det J at the start, at the centre
     std::vector<double> start;  // at the centre
     bool startMoves = false;    // a critical point followed as it moves with the parameters

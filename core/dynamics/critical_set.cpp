@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/planar_system.h"
 #include "maps/critical.h"
 
 namespace versorium {
 namespace {
 
-constexpr int kMostPoints = 32;
+constexpr int kMostPoints = 64;
 constexpr int kBisections = 40;
 
 double distance(const PlanePoint& a, const PlanePoint& b) {
@@ -166,6 +167,30 @@ PlanePoint ontoZero(const System& system, PlanePoint at, double reach) {
 
 }  // namespace
 
+std::vector<PlanePoint> criticalPointsOf(const System& system) {
+    std::vector<PlanePoint> points;
+    if (system.map().info.name == "planar") {
+        auto polynomial = complexPolynomialOf(system.parameters());
+        if (!polynomial) polynomial = complexPolynomialOf(conjugateOf(system.parameters()));
+        if (polynomial) {
+            for (const auto& z : criticalPointsOf(*polynomial))
+                points.push_back({z.real(), z.imag()});
+            return points;
+        }
+    }
+    for (int k = 0; k < kMostPoints && system.dimension() <= 2; ++k) {
+        PlanePoint at{0, 0};
+        if (!criticalPoint(system.map(), k, system.parameters().data(), system.environment(),
+                           at.data()))
+            break;
+        const bool known = std::any_of(points.begin(), points.end(), [&](const PlanePoint& other) {
+            return distance(other, at) < 1e-7;
+        });
+        if (!known) points.push_back(at);
+    }
+    return points;
+}
+
 Expected<CriticalSet> criticalSet(const System& system, const Window& window,
                                   const CriticalSetOptions& options, Job& job) {
     if (system.dimension() != 2)
@@ -182,11 +207,7 @@ Expected<CriticalSet> criticalSet(const System& system, const Window& window,
     if (!squares.measure(job)) return Status::cancelled();
     CriticalSet set;
     set.curves = squares.trace();
-    for (int k = 0; k < kMostPoints; ++k) {
-        PlanePoint at;
-        if (!criticalPoint(system.map(), k, system.parameters().data(), system.environment(),
-                           at.data()))
-            break;
+    for (const PlanePoint& at : criticalPointsOf(system)) {
         double j[4];
         PlanePoint image = at;
         system.stepWithJacobian(image.data(), j);

@@ -11,6 +11,10 @@
 
 namespace versorium {
 
+// The critical points that a map of the line or plane names (maps/critical.h), each once; of a
+// planar system that is complex-analytic, or the conjugate of one, the zeros of its derivative.
+std::vector<PlanePoint> criticalPointsOf(const System& system);
+
 struct CriticalSet {
     std::vector<Polyline> curves;    // closed ones end at their first point
     std::vector<PlanePoint> points;  // isolated ones: J = 0 there

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace versorium {
 namespace {
@@ -147,6 +148,7 @@ class Collector {
             search_.cut = true;
             return;
         }
+        for (const PlanePoint& known : cycle.points) byX_.emplace(known[0], known[1]);
         search_.cycles.push_back(std::move(cycle));
     }
     CycleSearch take() {
@@ -161,9 +163,9 @@ class Collector {
   private:
     bool known(const PlanePoint& point, double tolerance) const {
         const double near = tolerance * scaleOf(point);
-        for (const PeriodicCycle& cycle : search_.cycles)
-            for (const PlanePoint& other : cycle.points)
-                if (distance(other, point) < near) return true;
+        for (auto other = byX_.lower_bound(point[0] - near);
+             other != byX_.end() && other->first <= point[0] + near; ++other)
+            if (distance({other->first, other->second}, point) < near) return true;
         return false;
     }
 
@@ -171,6 +173,7 @@ class Collector {
     Window window_;
     const CycleOptions& options_;
     CycleSearch search_;
+    std::multimap<double, double> byX_;  // all points of the cycles
 };
 
 int startsAcross(const System& system, const CycleOptions& options, int period) {
@@ -272,8 +275,10 @@ Expected<CycleSearch> findCycles(const System& system, const Window& window,
     });
     if (!finished || job.cancelled()) return Status::cancelled();
     Collector collector(system, window, options);
-    for (const Row& row : rows)
+    for (const Row& row : rows) {
+        if (job.cancelled()) return Status::cancelled();
         for (const PlanePoint& point : row.found) collector.add(point, row.period);
+    }
     return collector.take();
 }
 

@@ -132,6 +132,14 @@ PlanarNumbers planarNumbersOf(const ComplexPolynomial& polynomial) {
     return numbers;
 }
 
+PlanarNumbers conjugateOf(std::span<const double> numbers) {
+    assert(numbers.size() == kPlanarNumbers);
+    PlanarNumbers result{};
+    for (std::size_t k = 0; k < kPlanarNumbers; ++k)
+        result[k] = k < kEach ? numbers[k] : -numbers[k];
+    return result;
+}
+
 std::optional<ComplexPolynomial> complexPolynomialOf(std::span<const double> numbers) {
     assert(numbers.size() == kPlanarNumbers);
     const double* g = numbers.data();
@@ -199,7 +207,11 @@ std::vector<std::complex<double>> criticalPointsOf(const ComplexPolynomial& poly
         for (std::size_t k = i; k < degree; ++k)
             if (!used[k] && squaredNorm(z[k] - z[i]) < same * same)
                 used[k] = 1, sum = sum + z[k], ++count;
-        distinct.emplace_back(sum.re / count, sum.im / count);
+        // What rounding leaves of a 0.
+        const auto clean = [&](double part) {
+            return std::abs(part) < 1e-15 * (1 + bound) ? 0.0 : part;
+        };
+        distinct.emplace_back(clean(sum.re / count), clean(sum.im / count));
     }
     std::sort(distinct.begin(), distinct.end(), [](const auto& a, const auto& b) {
         const auto cell = [](double x) { return std::floor(x * 1e8 + 0.5); };

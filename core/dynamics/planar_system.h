@@ -29,6 +29,8 @@ struct ComplexPolynomial {
 // equations gₓ = h_y, g_y = -hₓ do not hold for all x and y, to 1e-12 of the largest coefficient of
 // the same degree.
 std::optional<ComplexPolynomial> complexPolynomialOf(std::span<const double> numbers);
+// g - ih in the place of g + ih: what maps such as the tricorn's conj(z)² + c are conjugates of.
+PlanarNumbers conjugateOf(std::span<const double> numbers);
 PlanarNumbers planarNumbersOf(const ComplexPolynomial& polynomial);
 
 // The zeros of its derivative, each once, by their real, then imaginary parts; none for degree 1,

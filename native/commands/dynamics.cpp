@@ -7,7 +7,6 @@
 #include "dynamics/manifolds.h"
 #include "dynamics/planar_system.h"
 #include "io/files.h"
-#include "maps/critical.h"
 #include "render/cpu/cpu_renderer.h"
 #include "render/system_of.h"
 #include "scene/numbers.h"
@@ -268,16 +267,7 @@ Status explain(const DynamicsRequest& request, int threads) {
         points.push_back(pointJson(point, system->dimension()));
         list += (list.empty() ? "" : "  ") + pointText(point, system->dimension());
     };
-    if (polynomial)
-        for (const auto& z : criticalPointsOf(*polynomial)) add({z.real(), z.imag()});
-    else if (system->dimension() <= 2)
-        for (int k = 0; k < 64; ++k) {
-            PlanePoint at{0, 0};
-            if (!criticalPoint(system->map(), k, system->parameters().data(), system->environment(),
-                               at.data()))
-                break;
-            add(at);
-        }
+    for (const PlanePoint& point : criticalPointsOf(*system)) add(point);
     json["critical_points"] = points;
     if (!list.empty()) text += "\nCritical points: " + list;
     text += "\nCatalogue of Julia sets: " + badge->label + ". " + badge->sentence + "\n";

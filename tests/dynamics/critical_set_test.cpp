@@ -101,6 +101,25 @@ TEST(CriticalSet, OfAnAnalyticMapIsItsCriticalPoints) {
     EXPECT_NEAR((*near)[1], 0, 1e-12);
 }
 
+// A multiple critical point, which Newton's method on f' does not find: z³ + c and conj(z)³ + c.
+TEST(CriticalSet, KnowsMultiplePoints) {
+    for (const double sign : {1.0, -1.0}) {
+        const System system(programOf("planar",
+                                      {{"g.a2", 0},
+                                       {"g.b2", 0},
+                                       {"h.c1", 0},
+                                       {"g.a3", 1},
+                                       {"g.c3", -3},
+                                       {"h.c2", 3 * sign},
+                                       {"h.b3", -sign}},
+                                      {}, 10, 4));
+        const CriticalSet set = setOf(system, {});
+        ASSERT_EQ(set.points.size(), 1u);
+        EXPECT_NEAR(set.points[0][0], 0, 1e-9);
+        EXPECT_NEAR(set.points[0][1], 0, 1e-9);
+    }
+}
+
 TEST(CriticalSet, OfHenonIsEmpty) {
     const System system(
         programOf("planar", {{"g.a2", -1.4}, {"g.b1", 1}, {"g.b2", 0}, {"h.a1", 0.3}, {"h.c1", 0}},

@@ -106,6 +106,36 @@ TEST(Cycles, OfTheQuadraticFamilyAreComplete) {
         }
 }
 
+// At r = 4 the map is a doubling of angles: all points of period p are known to exist, and all
+// multipliers are ±2ᵖ but that of 0, which is 4.
+TEST(Cycles, OfTheLogisticMapAtFourAreComplete) {
+    const CycleSearch search =
+        cyclesOf(programOf("logistic", {{"r", 4}}, {}, 100, 16), 8, {-0.1, 1.1, 0, 1});
+    const int known[] = {2, 1, 2, 3, 6, 9, 18, 30};
+    for (int period = 1; period <= 8; ++period)
+        EXPECT_EQ(countOf(search, period), known[period - 1]) << period;
+    for (const PeriodicCycle& cycle : search.cycles) {
+        const double size = std::pow(2.0, cycle.period);
+        EXPECT_NEAR(std::abs(cycle.multiplier->real()), cycle.points[0][0] < 1e-9 ? 4 : size,
+                    1e-9 * size);
+    }
+}
+
+// Hénon's cycles at the usual parameters, as counted by Biham and Wenzel and others: on the
+// attractor 1, 1, 0, 1, 0, 2, 4, 7, 6, 10 of period 1 … 10, and the fixed point beside it.
+TEST(Cycles, OfHenonsAttractorAreComplete) {
+    const CycleSearch search = cyclesOf(henon(1.4, 0.3), 10);
+    const int known[] = {2, 1, 0, 1, 0, 2, 4, 7, 6, 10};
+    for (int period = 1; period <= 10; ++period)
+        EXPECT_EQ(countOf(search, period), known[period - 1]) << period;
+    for (const PeriodicCycle& cycle : search.cycles) {
+        EXPECT_EQ(cycle.kind, CycleKind::saddle);
+        // det J = -b at each point.
+        const double product = (cycle.eigenvalues[0] * cycle.eigenvalues[1]).real();
+        EXPECT_NEAR(product / std::pow(-0.3, cycle.period), 1, 1e-6);
+    }
+}
+
 TEST(Cycles, HaveThePeriodsOfKnownCentres) {
     struct Centre {
         double re, im;
