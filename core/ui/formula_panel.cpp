@@ -39,7 +39,7 @@ std::size_t bytesOf(const std::string& text, std::size_t characters) {
 void drawPointer(const FormulaEditor& editor, ImGuiID id, ImVec2 low, ImVec2 high) {
     const std::string before = editor.text.substr(0, bytesOf(editor.text, editor.fault.position));
     const ImGuiInputTextState* state = ImGui::GetInputTextState(id);
-    const float scrolled = state ? state->ScrollX : 0;
+    const float scrolled = state && ImGui::GetActiveID() == id ? state->ScrollX : 0;
     const float padding = ImGui::GetStyle().FramePadding.x;
     const float x = std::clamp(low.x + padding + ImGui::CalcTextSize(before.c_str()).x - scrolled,
                                low.x + padding, high.x - padding);
@@ -108,12 +108,21 @@ void drawFormulaPanel(StudioContext& context) {
         editor.text = editor.shown = present->formula().text;
         editor.fault = {};
     }
-    if (editor.wantsFocus) ImGui::SetKeyboardFocusHere();
-    editor.wantsFocus = false;
+    const bool blocked = ImGui::GetTopMostPopupModal() != nullptr;
+    if (editor.focusFrames > 0) context.host.wake();
+    if (editor.focusFrames > 0 && !blocked) {
+        // The studio's window takes no part in walking by keys, which SetKeyboardFocusHere needs.
+        ImGui::FocusWindow(ImGui::GetCurrentWindow());
+        ImGui::ActivateItemByID(ImGui::GetID("##formula"));
+        ImGui::GetCurrentContext()->NavNextActivateFlags =
+            ImGuiActivateFlags_PreferInput |
+            (editor.fault.message.empty() ? 0 : ImGuiActivateFlags_TryToPreserveState);
+    }
     ImGui::SetNextItemWidth(-1);
     const std::string before = editor.text;
     const bool enter = textField<kBytes>("##formula", "z^2 + c", editor.text,
                                          ImGuiInputTextFlags_EnterReturnsTrue);
+    editor.focusFrames = ImGui::IsItemActive() ? 0 : std::max(0, editor.focusFrames - 1);
     const ImGuiID id = ImGui::GetItemID();
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     const bool left = ImGui::IsItemDeactivatedAfterEdit();
@@ -129,6 +138,8 @@ void drawFormulaPanel(StudioContext& context) {
             context.report(applyFormula(context, editor.text));
         } else {
             editor.fault = fault;
+            // Enter on a fault leaves the cursor where it is.
+            if (enter) editor.focusFrames = 30;
         }
     }
     if (!editor.fault.message.empty()) {
@@ -138,6 +149,10 @@ void drawFormulaPanel(StudioContext& context) {
         ImGui::PopTextWrapPos();
     } else if (!present || editor.text != editor.shown) {
         ImGui::TextDisabled("Enter takes it");
+        if (present) return;
+        ImGui::SameLine();
+        if (ImGui::SmallButton("never mind")) editor.open = false;
+        explain("no formula");
     } else {
         drawSaving(context, present->formula().text);
     }

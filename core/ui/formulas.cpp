@@ -130,7 +130,8 @@ Status applyFormula(StudioContext& context, const std::string& text) {
 void editFormula(StudioContext& context) {
     FormulaEditor& editor = context.formula;
     const Scene& scene = context.workspace.views[0];
-    editor.open = editor.wantsFocus = true;
+    editor.open = true;
+    editor.focusFrames = 30;
     editor.text = editor.shown = scene.formula ? scene.formula->formula().text : kFirst;
     editor.fault = {};
     context.host.wake();

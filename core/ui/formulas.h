@@ -38,12 +38,12 @@ class SavedFormulas {
 
 // The field in which a formula is typed.
 struct FormulaEditor {
-    bool open = false;  // also where the map is none
-    bool wantsFocus = false;
-    std::string text;    // what stands in the field
-    std::string shown;   // the formula that it was filled from
-    std::string name;    // to save it under
-    FormulaFault fault;  // of `text`; without a message where it reads well
+    bool open = false;    // also where the map is none
+    int focusFrames = 0;  // for which the field asks for the keys: a dialog may still be closing
+    std::string text;     // what stands in the field
+    std::string shown;    // the formula that it was filled from
+    std::string name;     // to save it under
+    FormulaFault fault;   // of `text`; without a message where it reads well
 };
 
 // Makes the formula the map of the workspace. Views, parameters and colours that fit are kept. The

@@ -18,6 +18,7 @@ constexpr Help kHelp[] = {
     {"formula",
      "A map of your own: z is complex, q a quaternion, x real, and x' = …, y' = … the plane. Other "
      "names are parameters. Enter takes it."},
+    {"no formula", "Takes the field away. The map stays as it is."},
     {"formula name", "What the formula is to be called in the list of maps."},
     {"save formula", "Keeps the formula under this name, for the list of maps and for Find."},
     {"forget formula", "Takes the formula out of the saved ones. The picture stays."},
