@@ -17,6 +17,10 @@ struct Movie {
 Expected<Movie> movieFromDocument(const Document& document);
 Document documentOfMovie(const Movie& movie);
 
+// Animations that the program carries: "leaf", ….
+std::vector<std::string> animationNames();
+Expected<Movie> animationNamed(const std::string& name);
+
 // "frame-00001.png": the first frame has number 1.
 std::string frameName(int frame);
 // The document that the frame's PNG carries.

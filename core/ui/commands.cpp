@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "imgui.h"
+#include "render/movie.h"
 #include "ui/context.h"
 #include "ui/help.h"
 #include "ui/keys.h"
@@ -12,6 +13,20 @@ namespace versorium {
 namespace {
 
 constexpr double kAnimationStep = 1.0 / 120;  // rounds
+
+// Presets that show a set of parameters.
+const std::vector<std::string>& setPresets() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> found;
+        for (const std::string& name : presetNames()) {
+            const Expected<Scene> scene = presetNamed(name);
+            if (scene && showsParameters(*scene) && scene->slice.axes.size() > 1)
+                found.push_back(name);
+        }
+        return found;
+    }();
+    return names;
+}
 
 std::string lower(std::string text) {
     for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -106,6 +121,17 @@ std::vector<Command> commandsOf(StudioContext& context) {
          [c] {
              if (!setAnalysis(c->workspace))
                  return c->say("This map has no two parameters that could be the axes of a set");
+             c->touch();
+         }},
+        {"Bands beside smooth colours: A eqs 14 and 15", "",
+         [c] {
+             Scene scene = c->workspace.view();
+             setViewCount(c->workspace, 2);
+             scene.colour.rule = "gradient";
+             scene.colour.smoothing = "none";
+             c->workspace.views[0] = scene;
+             scene.colour.smoothing = "ratio";
+             c->workspace.views[1] = std::move(scene);
              c->touch();
          }},
         {"One step on along the orbit", ".", [c] { c->stepOrbit(1); }},
@@ -235,6 +261,21 @@ void drawSearch(StudioContext& context) {
                                Expected<Scene> scene = presetNamed(name);
                                if (!scene) return context.report(scene.status());
                                context.open(workspaceOf(*scene));
+                           }});
+    for (const std::string& name : setPresets())
+        entries.push_back({"Analysis: " + name, "", [&context, name] {
+                               Expected<Scene> scene = presetNamed(name);
+                               if (!scene) return context.report(scene.status());
+                               Workspace workspace = workspaceOf(*scene);
+                               setAnalysis(workspace);
+                               context.open(std::move(workspace));
+                           }});
+    for (const std::string& name : animationNames())
+        entries.push_back({"Motion: " + name, "", [&context, name] {
+                               Expected<Movie> movie = animationNamed(name);
+                               if (!movie) return context.report(movie.status());
+                               context.openMotion(std::move(movie->animation));
+                               context.play(true);
                            }});
     for (const Gallery::Entry& entry : context.gallery.recent())
         entries.push_back({"Recent: " + entry.title, "", [&context, link = entry.link] {

@@ -203,6 +203,14 @@ void StudioContext::open(Workspace opened) {
     touch();
 }
 
+void StudioContext::openMotion(versorium::Animation animation) {
+    Workspace opened = workspaceOf(animation.scene);
+    opened.motion = std::move(animation.motion);
+    opened.motionView = opened.focused;
+    open(std::move(opened));
+    strip = Strip::motion;
+}
+
 void StudioContext::newMap(const std::string& name) {
     const MapKernels* map = findMap(name);
     if (!map) return;

@@ -147,6 +147,8 @@ struct StudioContext {
     void undo();
     void redo();
     void open(Workspace opened);
+    // The views of the motion's scene, with the motion in the strip below.
+    void openMotion(versorium::Animation animation);
     void newMap(const std::string& name);
     void mark(int view);   // commands act on it
     void visit(int view);  // remembers where a view is

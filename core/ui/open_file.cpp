@@ -37,11 +37,7 @@ std::string fileName(const std::string& path) {
 Status takeMotion(StudioContext& context, const std::string& name, const Document& document) {
     Expected<Movie> movie = movieFromDocument(document);
     if (!movie) return movie.status();
-    Workspace workspace = workspaceOf(movie->animation.scene);
-    workspace.motion = std::move(movie->animation.motion);
-    workspace.motionView = workspace.focused;
-    context.open(std::move(workspace));
-    context.strip = StudioContext::Strip::motion;
+    context.openMotion(std::move(movie->animation));
     context.say("Opened " + name + ": press Shift R to play it");
     return {};
 }

@@ -150,14 +150,22 @@ Status encode(const Movie& movie, const std::string& encoder, const std::string&
     return {};
 }
 
-Expected<Movie> openMovie(const AnimateRequest& request) {
+Expected<Movie> movieOf(const AnimateRequest& request) {
+    const bool file = request.file == "-" || request.file.find('/') != std::string::npos ||
+                      request.file.ends_with(".json");
+    if (!file) return animationNamed(request.file);
     Expected<Document> document = readDocument(request.file);
     if (!document) return document.status();
     if (document->kind != "animation")
         return Status::data(request.file + ": this is a " + document->kind +
                             "; an animation has \"keys\": record one in the studio with R");
     Expected<Movie> movie = movieFromDocument(*document);
-    if (!movie) return movie.status().in(request.file);
+    return movie ? std::move(movie) : movie.status().in(request.file);
+}
+
+Expected<Movie> openMovie(const AnimateRequest& request) {
+    Expected<Movie> movie = movieOf(request);
+    if (!movie) return movie.status();
     if (request.framesPerSecond > 0)
         movie->animation.motion.framesPerSecond = request.framesPerSecond;
     if (!request.size.empty()) {
@@ -209,12 +217,13 @@ Status animate(const AnimateRequest& request, int threads) {
 void addAnimateCommand(CommandLine& line) {
     CLI::App* command =
         line.add("animate", "Render an animation to numbered pictures or to a film.",
+                 "  versorium animate leaf -o leaf.mp4\n"
                  "  versorium animate motion.json -o frames\n"
                  "  versorium animate motion.json -o motion.mp4 --size 1920x1080 --fps 60\n"
                  "  versorium animate motion.json -o frames.zip\n"
                  "Pictures that are there already are kept: a run that was stopped goes on.\n");
     const auto request = std::make_shared<AnimateRequest>();
-    command->add_option("FILE", request->file, "animation file, or -")->required();
+    command->add_option("FILE", request->file, "name, animation file, or -")->required();
     command
         ->add_option("-o,--output", request->output,
                      "folder for PNGs, archive (.zip), or film (.mp4, .webm, .gif: needs ffmpeg)")

@@ -7,6 +7,7 @@
 #include "plate/plate_picture.h"
 #include "render/bind.h"
 #include "render/glsl/shader.h"
+#include "render/movie.h"
 #include "scene/scene.h"
 
 namespace versorium {
@@ -143,6 +144,9 @@ void addListCommands(CommandLine& line) {
         [json] { return listNames(plateNames(), *json); });
     add("presets", "List the presets that render, eval and orbit take.",
         [json] { return listNames(presetNames(), *json); });
+
+    add("animations", "List the animations that animate takes.",
+        [json] { return listNames(animationNames(), *json); });
 
     CLI::App* schema = line.add("schema", "Print the JSON Schema of scenes, with every default.",
                                 "  versorium schema > scene.schema.json\n");

@@ -128,6 +128,16 @@ TEST(LayersTest, RefusalsSayWhat) {
     EXPECT_NE(sceneFromJson(json).status().message().find("layers[0].opacity"), std::string::npos);
 }
 
+TEST(MovieTest, TheProgramsOwnAreRight) {
+    ASSERT_GE(animationNames().size(), 2u);
+    for (const std::string& name : animationNames()) {
+        const auto movie = animationNamed(name);
+        ASSERT_TRUE(movie) << movie.status().message();
+        EXPECT_GT(movie->animation.motion.frames(), 100) << name;
+    }
+    EXPECT_NE(animationNamed("zebra").status().message().find("leaf"), std::string::npos);
+}
+
 // Every frame is the picture of its scene, carries it, and stands whole in the archive.
 TEST(MovieTest, FramesAndTheirArchive) {
     Movie movie;
