@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What all tests of the page share: the browser, waiting, and running them one by one.
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
 import { existsSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
+import { deflateSync, inflateSync } from "node:zlib";
 
 const chromium = "/usr/bin/chromium";
 export const patience = 90000; // milliseconds: for machines that are busy with other tests
@@ -43,6 +46,41 @@ export async function waitFor(page, condition, argument) {
 export const fragment = (page) => page.evaluate(() => window.versorium.fragment());
 export const changed = (page, before) =>
   waitFor(page, (was) => window.versorium.fragment() !== was, before);
+
+// The page served on this machine: the server's process and its address.
+export function serve(root) {
+  const server = spawn("python3", [join(root, "scripts/serve"), "--port", "0"]);
+  return new Promise((resolve, reject) => {
+    server.stdout.once("data", (text) => resolve({ server, address: String(text).trim() }));
+    server.stderr.once("data", (text) => reject(new Error(String(text))));
+  });
+}
+
+export const finished = (page) =>
+  waitFor(page, () => {
+    if (!window.versorium) return false;
+    window.versorium.stop();
+    return window.versorium.picturesTaken > 1 && window.versorium.finished;
+  });
+
+// What is drawn into a part of the canvas, as a PNG's bytes.
+export const look = async (page, clip) => Buffer.from(await page.screenshot({ clip }));
+
+export async function open(browser, address, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  const page = await context.newPage();
+  page.faults = [];
+  page.on("pageerror", (error) => page.faults.push(String(error)));
+  page.on("console", (line) => line.type() === "error" && page.faults.push(line.text()));
+  await page.goto(address);
+  await waitFor(page, () => document.documentElement.dataset.state);
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.state), "ready");
+  return page;
+}
+
+// A link's fragment, and the workspace in it.
+export const unpacked = (link) => JSON.parse(inflateSync(Buffer.from(link.slice(3), "base64url")));
+export const packed = (workspace) => "v1:" + deflateSync(JSON.stringify(workspace)).toString("base64url");
 
 // How far two screenshots of the same size are from one another: the mean over all channels, and the
 // share of pixels of which one differs by more than 16, both in [0, 1].

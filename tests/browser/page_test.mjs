@@ -2,54 +2,21 @@
 // The page in Chromium with real mouse, wheel and keys: page_test.mjs ROOT PROGRAM [SCREENSHOTS]
 // ROOT is the repository, PROGRAM the native one, whose exports must be the page's, byte for byte.
 import assert from "node:assert/strict";
-import { execFileSync, spawn } from "node:child_process";
+import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { deflateSync, inflateSync } from "node:zlib";
-import { changed, difference, fragment, patience, prepare, runAll, waitFor } from "./browser.mjs";
+import {
+  changed, difference, finished, fragment, look, open, packed, patience, prepare, runAll, serve, unpacked, waitFor,
+} from "./browser.mjs";
 
 const [root, program, screenshots] = process.argv.slice(2);
 const { browser } = await prepare(root);
 
 const folder = mkdtempSync(join(tmpdir(), "versorium-page-"));
 
-function serve() {
-  const server = spawn("python3", [join(root, "scripts/serve"), "--port", "0"]);
-  return new Promise((resolve, reject) => {
-    server.stdout.once("data", (text) => resolve({ server, address: String(text).trim() }));
-    server.stderr.once("data", (text) => reject(new Error(String(text))));
-  });
-}
-
-const finished = (page) =>
-  waitFor(page, () => {
-    if (!window.versorium) return false;
-    window.versorium.stop();
-    return window.versorium.picturesTaken > 1 && window.versorium.finished;
-  });
-
-// What is drawn into a part of the canvas, as a PNG's bytes.
-const look = async (page, clip) => Buffer.from(await page.screenshot({ clip }));
-
-async function open(browser, address, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
-  const page = await context.newPage();
-  page.faults = [];
-  page.on("pageerror", (error) => page.faults.push(String(error)));
-  page.on("console", (line) => line.type() === "error" && page.faults.push(line.text()));
-  await page.goto(address);
-  await waitFor(page, () => document.documentElement.dataset.state);
-  assert.equal(await page.evaluate(() => document.documentElement.dataset.state), "ready");
-  return page;
-}
-
 const became = (page, wanted) =>
   waitFor(page, (is) => window.versorium.fragment() === is, wanted);
-
-// A link's fragment, and the workspace in it.
-const unpacked = (link) => JSON.parse(inflateSync(Buffer.from(link.slice(3), "base64url")));
-const packed = (workspace) => "v1:" + deflateSync(JSON.stringify(workspace)).toString("base64url");
 
 const left = { x: 10, y: 40, width: 440, height: 540 };
 const right = { x: 480, y: 40, width: 440, height: 540 };
@@ -243,7 +210,7 @@ const tests = {
   },
 };
 
-const { server, address } = await serve();
+const { server, address } = await serve(root);
 const failed = await runAll(tests, browser, address);
 await browser.close();
 server.kill();

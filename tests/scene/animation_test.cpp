@@ -114,5 +114,52 @@ TEST(AnimationTest, WhatIsWrongIsNamed) {
     refused("/more", 1, "more");
 }
 
+// Foreign text of any kind: an animation, or a reason. Mutations of a right one reach deep.
+TEST(AnimationTest, NoTextBreaksTheReader) {
+    const std::string right = animationToJson(example()).dump();
+    std::uint32_t random = 12345;
+    const auto next = [&](std::size_t most) {
+        random = random * 1664525u + 1013904223u;
+        return (random >> 8) % most;
+    };
+    const char* const pieces[] = {"1e999", "-1",    "null",        "[]",           "{}",
+                                  "\"\"",  ",",     ":",           "keys",         "NaN",
+                                  "0.5",   "1e300", "layers[0].x", "slice.height", "\xff"};
+    int read = 0;
+    for (int round = 0; round < 10000; ++round) {
+        std::string text = right;
+        for (std::size_t k = 0; k < 1 + next(3); ++k) {
+            const std::size_t at = next(text.size()), length = next(12);
+            switch (next(3)) {
+                case 0:
+                    text.erase(at, length);
+                    break;
+                case 1:
+                    text.insert(at, pieces[next(std::size(pieces))]);
+                    break;
+                default:
+                    text.replace(at, std::min<std::size_t>(length, 4),
+                                 pieces[next(std::size(pieces))]);
+            }
+            if (text.empty()) text = "0";
+        }
+        const Expected<Json> json = parseJson(text);
+        if (!json) continue;
+        const Expected<Animation> animation = animationFromJson(*json);
+        if (!animation) {
+            EXPECT_FALSE(animation.status().message().empty()) << text;
+            continue;
+        }
+        ++read;
+        for (const double time : {0.0, 1.7, 1e9}) {
+            const Scene scene = sceneAt(*animation, time);
+            EXPECT_TRUE(std::isfinite(scene.slice.height)) << text;
+            EXPECT_TRUE(sceneFromJson(sceneToJson(scene)).ok()) << text;
+        }
+        EXPECT_GE(animation->motion.frames(), 1);
+    }
+    EXPECT_GT(read, 50);
+}
+
 }  // namespace
 }  // namespace versorium

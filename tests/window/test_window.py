@@ -268,6 +268,54 @@ class Window(unittest.TestCase):
         time.sleep(1)
         self.assertEqual(self.saved()["slice"]["axes"][0], {"z.re": 1})
 
+    def find(self, words):
+        """What Ctrl K finds is opened by Enter."""
+        self.press("ctrl", "k")
+        time.sleep(0.8)
+        self.hand("type", "--delay", "60", words)
+        time.sleep(0.8)
+        self.tap("Return")
+        time.sleep(1)
+
+    def test_a_formula_is_typed_and_a_motion_of_it_recorded(self):
+        self.studio("mandelbrot")
+        self.steady("first.png")
+        self.find("z^3 - a*z + c")
+        self.assertEqual(self.saved()["formula"], "z^3 - a*z + c")
+        self.tap("1", "r")
+        self.hand("mousemove", 235, 300)
+        for _ in range(4):
+            self.hand("click", 4)
+            time.sleep(0.3)
+        self.tap("r")
+        time.sleep(0.5)
+        self.find("save the motion as a file")
+        motion = os.path.join(self.folder, "formula-motion.json")
+        self.wait_for("a saved motion", lambda: os.path.exists(motion))
+        frames = os.path.join(self.folder, "frames")
+        code, out, err = self.finish(self.start("animate", motion, "-o", frames, "--size", "32x24",
+                                                "--fps", "2", "--json", display=False))
+        self.assertEqual(code, 0, err)
+        report = json.loads(out)
+        self.assertGreaterEqual(report["frames"], 3)
+        pictures = set()
+        for name in os.listdir(frames):
+            with open(os.path.join(frames, name), "rb") as file:
+                pictures.add(file.read())
+        self.assertGreater(len(pictures), 2)
+
+    def test_an_analysis_has_four_places_that_are_dragged(self):
+        self.studio("planar-set")
+        self.tap("n")
+        before = self.steady("analysis.png")
+        # The first one stands where the numbers were.
+        self.hand("mousemove", 250, 250, "keydown", "ctrl", "click", 1, "keyup", "ctrl")
+        time.sleep(0.5)
+        moved = self.steady("moved.png")
+        self.assertGreater(self.differing(before, moved, "226x290+476+10"), 0.02)
+        for area in ("226x290+710+10", "226x290+476+312", "226x290+710+312"):
+            self.assertLess(self.differing(before, moved, area), 0.02, area)
+
     def test_a_mesh_opens_from_the_list_of_files(self):
         with open(os.path.join(self.folder, "tetra.obj"), "w") as file:
             file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
