@@ -222,6 +222,9 @@ void collectOrbit(StudioContext& context, Collector& all) {
     if (std::isfinite(radius))
         all.number("radius", "escape radius", radius, 0.5, 1e-6, 1e6,
                    [c](double value) { c->workspace.view().escapeRadius = value; });
+    all.choice("escape test", "which points of an orbit may escape", scene.escapeTest,
+               {"first", "last"},
+               [c](const std::string& word) { c->workspace.view().escapeTest = word; });
 }
 
 void collectSlice(StudioContext& context, Collector& all) {

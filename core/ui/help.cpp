@@ -70,6 +70,9 @@ constexpr Help kHelp[] = {
     {"layer scale", "The image's height in heights of the picture."},
     {"layer opacity", "0 lets everything through, 1 nothing."},
     {"layer frame", "Which frame of the sequence is shown."},
+    {"escape test",
+     "first: an orbit has escaped with its first point outside. last: only the N-th point counts "
+     "(A eq 12)."},
     {"axis", "Which number runs along this axis of the view."},
     {"centre", "The middle of the view along this axis. Double click to type it."},
     {"height", "What the view shows from bottom to top. Smaller is deeper."},

@@ -401,6 +401,8 @@ void drawInspector(StudioContext& context) {
         context.touch();
     }
 
+    if (choose("escape test", "escape test", scene.escapeTest, {"first", "last"})) context.touch();
+
     heading(workspace.views.size() > 1 ? "Slice of the marked view" : "Slice");
     sliceControls(context);
     heading("Colours");

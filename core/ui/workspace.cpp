@@ -46,6 +46,7 @@ Scene dynamicalView(const Scene& like) {
     scene.iterations = like.iterations;
     scene.escapeRadius = like.escapeRadius;
     scene.colour = like.colour;
+    scene.layers = like.layers;
     scene.aspect = like.aspect;
     if (!like.criticalStart) scene.start = like.start;
     return scene;
@@ -62,6 +63,12 @@ Scene parameterView(const Scene& like) {
                     [](const ParameterInfo& parameter) { return widthOf(parameter.kind) >= 2; });
     // A complex or quaternion parameter gives its first two components; else reals are joined:
     // those that are set come before those that are 0.
+    // The planar system's constant terms, whatever its family.
+    if (map.info.name == "planar")
+        for (const char* name : {"g.d", "h.d"}) {
+            names.emplace_back(name);
+            centre.push_back(0);
+        }
     for (const bool zeros : {false, true}) {
         component = 0;
         for (const ParameterInfo& parameter : map.info.parameters) {

@@ -53,8 +53,8 @@ TEST(Analysis, OtherNumbersStayShared) {
     Workspace workspace = ofPreset("henon");
     ASSERT_TRUE(setAnalysis(workspace));
     workspace.focused = 2;
-    setSharedNumber(workspace, "h.d", 0.25);
-    for (const Scene& scene : workspace.views) EXPECT_EQ(scene.parameters.at("h.d")[0], 0.25);
+    setSharedNumber(workspace, "h.c1", 0.25);
+    for (const Scene& scene : workspace.views) EXPECT_EQ(scene.parameters.at("h.c1")[0], 0.25);
     const std::string own = workspace.views[0].slice.axes[0].terms[0].first;
     const double before = workspace.views[1].parameters.at(own)[0];
     setSharedNumber(workspace, own, before + 1);
