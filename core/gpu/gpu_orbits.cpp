@@ -208,13 +208,6 @@ Status carriesFields(const OrbitProgram& program, const std::vector<FieldName>& 
     return {};
 }
 
-bool bindsSlowly(const Scene& scene) {
-    if (!mapOf(scene).info.field) return false;
-    const std::vector<std::string> meshes = builtinMeshes();
-    return scene.shape.source.starts_with("asset:") ||
-           std::find(meshes.begin(), meshes.end(), scene.shape.source) != meshes.end();
-}
-
 Expected<GpuOrbits> GpuOrbits::make(const Scene& scene, const OrbitProgram& program, Size size,
                                     const GpuLimits& limits) {
     if (size.width < 1 || size.height < 1 || size.width > limits.textureSize ||

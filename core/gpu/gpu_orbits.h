@@ -36,7 +36,4 @@ struct GpuOrbits {
                                     const GpuLimits& limits);
 };
 
-// Whether binding this scene takes long, because a mesh or a picture becomes a grid.
-bool bindsSlowly(const Scene& scene);
-
 }  // namespace versorium

@@ -36,7 +36,7 @@ double now() {
 GpuPicture::~GpuPicture() { dropNames(); }
 
 Status GpuPicture::start(const Scene& scene, Size size, const GpuOptions& options) {
-    if (bindsSlowly(scene)) {
+    if (needsGrid(scene)) {
         rewind();
         state_ = State::empty;
         return Status::usage(

@@ -4,12 +4,20 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <string>
 
 #include "io/byte_reader.h"
 
 namespace versorium {
 namespace {
+
+// Of packGrid.
+struct PackedHeader {
+    std::int32_t counts[3] = {};
+    std::int32_t unused = 0;
+    double box[6] = {};
+};
 
 // The counts of a header and the bytes that they ask for; `nodes` is 0 when they make no sense.
 struct Header {
@@ -129,6 +137,40 @@ std::vector<unsigned char> writeGrid(const Grid& grid, const GridFileOptions& op
         for (int y = 0; y < grid.resolution.y; ++y)
             for (int z = 0; z < grid.resolution.z; ++z) appendLittleEndian(bytes, grid.at(x, y, z));
     return bytes;
+}
+
+std::vector<unsigned char> packGrid(const Grid& grid) {
+    const PackedHeader header{{grid.resolution.x, grid.resolution.y, grid.resolution.z},
+                              0,
+                              {grid.minimum.x, grid.minimum.y, grid.minimum.z, grid.maximum.x,
+                               grid.maximum.y, grid.maximum.z}};
+    std::vector<unsigned char> bytes(sizeof header + grid.values.size() * sizeof(double));
+    std::memcpy(bytes.data(), &header, sizeof header);
+    std::memcpy(bytes.data() + sizeof header, grid.values.data(),
+                grid.values.size() * sizeof(double));
+    return bytes;
+}
+
+Expected<Grid> unpackGrid(std::span<const unsigned char> bytes) {
+    PackedHeader header;
+    if (bytes.size() < sizeof header) return Status::data("this is no grid");
+    std::memcpy(&header, bytes.data(), sizeof header);
+    const std::size_t count = (bytes.size() - sizeof header) / sizeof(double);
+    std::size_t wanted = 1;
+    for (const std::int32_t nodes : header.counts) {
+        if (nodes < 1 || wanted > kGridNodes / static_cast<std::size_t>(nodes))
+            return Status::data("this is no grid");
+        wanted *= static_cast<std::size_t>(nodes);
+    }
+    if (bytes.size() != sizeof header + wanted * sizeof(double))
+        return Status::data("this is no grid, or a part of one");
+    Grid grid;
+    grid.resolution = {header.counts[0], header.counts[1], header.counts[2]};
+    grid.minimum = {header.box[0], header.box[1], header.box[2]};
+    grid.maximum = {header.box[3], header.box[4], header.box[5]};
+    grid.values.resize(count);
+    std::memcpy(grid.values.data(), bytes.data() + sizeof header, count * sizeof(double));
+    return grid;
 }
 
 }  // namespace versorium

@@ -33,4 +33,8 @@ Expected<Grid> readGrid(std::span<const unsigned char> bytes, const GridFileOpti
 // A planar grid becomes a 2D file (zFastest does not matter then), any other an .f3d.
 std::vector<unsigned char> writeGrid(const Grid& grid, const GridFileOptions& options = {});
 
+// A grid as it is, box and all, for another instance of the program on the same machine.
+std::vector<unsigned char> packGrid(const Grid& grid);
+Expected<Grid> unpackGrid(std::span<const unsigned char> bytes);
+
 }  // namespace versorium

@@ -15,7 +15,7 @@
 namespace versorium {
 namespace {
 
-constexpr std::string_view kMeshes = "meshes/";
+constexpr std::string_view kMeshes = "meshes/", kAsset = "asset:";
 
 bool endsWith(const std::string& name, std::string_view ending) {
     if (name.size() < ending.size()) return false;
@@ -34,6 +34,30 @@ bool isGridName(const std::string& name) {
 bool isPictureName(const std::string& name) {
     return endsWith(name, ".png") || endsWith(name, ".jpg") || endsWith(name, ".jpeg") ||
            endsWith(name, ".bmp");
+}
+
+std::string meshFile(const Scene& scene) {
+    return std::string(kMeshes) + scene.shape.source + ".obj";
+}
+
+struct NamedBytes {
+    std::span<const unsigned char> bytes;
+    std::string name;
+};
+Expected<NamedBytes> shapeFile(const Scene& scene) {
+    const std::string& source = scene.shape.source;
+    if (!source.starts_with(kAsset)) return NamedBytes{embedded(meshFile(scene)), source + ".obj"};
+    const auto found = scene.assets.find(source.substr(kAsset.size()));
+    if (found == scene.assets.end())
+        return Status::data("shape: the scene names the asset " + source.substr(kAsset.size()) +
+                            " but does not carry it; give the file again with --set shape=FILE");
+    return NamedBytes{found->second->bytes, found->second->name};
+}
+
+// All that a grid follows from.
+std::string gridKey(const Scene& scene) {
+    return scene.shape.source + "/" + std::to_string(scene.shape.resolution) + "/" +
+           formatNumber(scene.shape.padding) + (scene.shape.zFastest ? "/z" : "/x");
 }
 
 std::size_t numberIndex(const Scene& scene, const NumberRef& ref, OrbitProgram& program) {
@@ -145,42 +169,50 @@ Expected<Grid> gridFromBytes(std::span<const unsigned char> bytes, const std::st
     return std::move(made->grid);
 }
 
+bool needsGrid(const Scene& scene) {
+    if (!mapOf(scene).info.field) return false;
+    return scene.shape.source.starts_with(kAsset) || !embedded(meshFile(scene)).empty();
+}
+
+Expected<std::shared_ptr<const Grid>> Binder::grid(const Scene& scene, Job& job) {
+    Expected<NamedBytes> file = shapeFile(scene);
+    if (!file) return file.status();
+    const std::lock_guard lock(mutex_);
+    std::shared_ptr<const Grid>& kept = grids_[gridKey(scene)];
+    if (!kept) {
+        Expected<Grid> made = gridFromBytes(file->bytes, file->name, scene.shape, job);
+        if (!made) return made.status().in("shape " + file->name);
+        kept = std::make_shared<const Grid>(std::move(*made));
+    }
+    return kept;
+}
+
+bool Binder::isReady(const Scene& scene) {
+    if (!needsGrid(scene)) return true;
+    const std::lock_guard lock(mutex_);
+    const auto found = grids_.find(gridKey(scene));
+    return found != grids_.end() && found->second;
+}
+
+void Binder::keep(const Scene& scene, std::shared_ptr<const Grid> grid) {
+    const std::lock_guard lock(mutex_);
+    grids_[gridKey(scene)] = std::move(grid);
+}
+
 Expected<std::shared_ptr<const DistanceField>> Binder::field(const Scene& scene, Job& job) {
-    const std::string& source = scene.shape.source;
-    const bool asset = source.starts_with("asset:");
-    const std::string mesh = std::string(kMeshes) + source + ".obj";
-    if (!asset && embedded(mesh).empty()) {
-        Expected<ShapeTree> tree = parseShape(source);
+    if (!needsGrid(scene)) {
+        Expected<ShapeTree> tree = parseShape(scene.shape.source);
         if (!tree) return tree.status().in("shape");
         return std::make_shared<const DistanceField>(std::move(*tree));
     }
-    std::span<const unsigned char> bytes = embedded(mesh);
-    std::string name = source + ".obj";
-    if (asset) {
-        const auto found = scene.assets.find(source.substr(6));
-        if (found == scene.assets.end())
-            return Status::data(
-                "shape: the scene names the asset " + source.substr(6) +
-                " but does not carry it; give the file again with --set shape=FILE");
-        bytes = found->second->bytes;
-        name = found->second->name;
-    }
-    const bool grid = isGridName(name);
+    Expected<std::shared_ptr<const Grid>> made = grid(scene, job);
+    if (!made) return made.status();
+    const bool stored = isGridName(shapeFile(scene)->name);
     const Outside outside = scene.shape.outside == "border"     ? Outside::border
                             : scene.shape.outside == "distance" ? Outside::distance
-                            : grid                              ? Outside::border
+                            : stored                            ? Outside::border
                                                                 : Outside::distance;
-    const std::string key = source + "/" + std::to_string(scene.shape.resolution) + "/" +
-                            formatNumber(scene.shape.padding) +
-                            (scene.shape.zFastest ? "/z" : "/x");
-    const std::lock_guard lock(mutex_);
-    std::shared_ptr<const Grid>& kept = grids_[key];
-    if (!kept) {
-        Expected<Grid> made = gridFromBytes(bytes, name, scene.shape, job);
-        if (!made) return made.status().in("shape " + name);
-        kept = std::make_shared<const Grid>(std::move(*made));
-    }
-    return std::make_shared<const DistanceField>(kept, outside);
+    return std::make_shared<const DistanceField>(*made, outside);
 }
 
 Expected<OrbitProgram> Binder::bind(const Scene& scene, Job& job) {

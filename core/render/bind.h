@@ -19,12 +19,22 @@ class Binder {
   public:
     Expected<OrbitProgram> bind(const Scene& scene, Job& job);
 
+    // The grid of a scene for which needsGrid() is true; made where it is not kept yet.
+    Expected<std::shared_ptr<const Grid>> grid(const Scene& scene, Job& job);
+    // Whether bind() takes no time, since no grid is needed or it is kept.
+    bool isReady(const Scene& scene);
+    // Keeps a grid that another binder made of the same scene.
+    void keep(const Scene& scene, std::shared_ptr<const Grid> grid);
+
   private:
     Expected<std::shared_ptr<const DistanceField>> field(const Scene& scene, Job& job);
 
     std::mutex mutex_;
     std::map<std::string, std::shared_ptr<const Grid>> grids_;
 };
+
+// Whether a scene's shape is a mesh, a stored grid or a picture, and not analytic.
+bool needsGrid(const Scene& scene);
 
 // The mesh, grid or picture in these bytes as a grid of signed distances (`name` tells by its
 // ending what they are).

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "io/document.h"
+#include "io/grid_files.h"
 #include "render/picture.h"
 #include "ui/open_file.h"
 #include "ui/texture.h"
@@ -25,13 +26,6 @@ Workspace firstWorkspace() {
     setSharedNumber(workspace, "z.re", 0.35);
     setSharedNumber(workspace, "z.im", 0.2);
     return workspace;
-}
-
-bool isQuick(const Scene& scene) {
-    if (!mapOf(scene).info.field) return true;
-    const std::vector<std::string> meshes = builtinMeshes();
-    return scene.shape.source.rfind("asset:", 0) != 0 &&
-           std::find(meshes.begin(), meshes.end(), scene.shape.source) == meshes.end();
 }
 
 std::string documentText(const Scene& scene) {
@@ -418,13 +412,46 @@ const OrbitProgram* StudioContext::bind(Bound& bound, const Scene& scene) {
     if (bound.revision != revision) {
         bound.revision = revision;
         bound.program.reset();
-        if (isQuick(scene)) {
+        if (!binder_.isReady(scene)) {
+            askForGrid(scene);
+        } else {
             Job job(1);
             Expected<OrbitProgram> program = binder_.bind(scene, job);
             if (program) bound.program = std::move(*program);
         }
     }
     return bound.program ? &*bound.program : nullptr;
+}
+
+void StudioContext::askForGrid(const Scene& scene) {
+    const auto same = [&](const ShapeSpec& shape) {
+        ShapeSpec other = scene.shape;
+        other.outside = shape.outside;
+        return other == shape;
+    };
+    if ((gridFor_ && same(gridFor_->shape)) || gridRefused_ == scene.shape.source) return;
+    gridFor_ = sceneOf(mapOf(scene));
+    gridFor_->shape = scene.shape;
+    if (const auto asset = scene.assets.find(
+            scene.shape.source.substr(std::min<std::size_t>(6, scene.shape.source.size())));
+        asset != scene.assets.end())
+        gridFor_->assets.insert(*asset);
+    ++gridAsked_;
+    host.requestPicture({kGridSlot, gridAsked_, sceneToJson(*gridFor_).dump(), {1, 1}, 0});
+}
+
+void StudioContext::takeGrid(const PictureAnswer& answer) {
+    if (answer.id != gridAsked_ || !gridFor_) return;
+    Expected<Grid> grid = unpackGrid(answer.rgba);
+    if (grid) {
+        binder_.keep(*gridFor_, std::make_shared<const Grid>(std::move(*grid)));
+        gridRefused_.clear();
+    } else {
+        gridRefused_ = gridFor_->shape.source;  // the pictures say why
+    }
+    gridFor_.reset();
+    ++revision;
+    host.wake();
 }
 
 const OrbitProgram* StudioContext::program(int view) {

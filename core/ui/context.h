@@ -175,6 +175,8 @@ struct StudioContext {
     void startExport();
     void copyImage();
 
+    void takeGrid(const PictureAnswer& answer);
+
     // Width over height of a view in the window.
     double aspect(int view) const;
     // Where starting points are measured; null while a shape needs a grid that takes time to make.
@@ -190,7 +192,11 @@ struct StudioContext {
         std::optional<OrbitProgram> program;
     };
     const OrbitProgram* bind(Bound& bound, const Scene& scene);
+    void askForGrid(const Scene& scene);
     Binder binder_;
+    std::uint64_t gridAsked_ = 0;  // the request that is under way
+    std::optional<Scene> gridFor_;
+    std::string gridRefused_;  // the shape of which no grid can be made
     std::array<Bound, kMostViews + 1> bound_;
     std::uint64_t orbitRevision_ = 0;
     std::vector<std::vector<double>> orbit_;

@@ -9,7 +9,7 @@
 namespace versorium {
 namespace {
 
-static_assert(kThumbnails == kMostViews && kPictureSlots == kThumbnails + 1);
+static_assert(kThumbnails == kMostViews && kPictureSlots == kGridSlot + 1);
 
 constexpr const char* kStored = "recent";
 // A thumbnail is not worth more; its points differ from the scene's by the last few bands.

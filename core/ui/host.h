@@ -17,15 +17,19 @@ namespace versorium {
 // A place of its own among views, for the small pictures of the gallery. They are made when nothing
 // else is waiting.
 inline constexpr int kThumbnails = 5;
-inline constexpr int kPictureSlots = 6;
+// And one for the distance grids of shapes.
+inline constexpr int kGridSlot = 6;
+inline constexpr int kPictureSlots = 7;
 
 // A picture of a scene, asked for by a view. A new request for the same view cancels the old one.
 struct PictureRequest {
-    int view = 0;          // 0 … kMostViews - 1, or kThumbnails
+    int view = 0;          // 0 … kMostViews - 1, kThumbnails or kGridSlot
     std::uint64_t id = 0;  // comes back with the answer
     std::string scene;     // JSON: the studio and what computes may stand in different processes
     Size size{0, 0};       // in pixels
-    int samples = 1;       // along each side of a pixel
+    // Along each side of a pixel. 0: the distance grid of the scene's shape in place of a picture;
+    // its bytes come as pixels (io/grid_files.h, packGrid).
+    int samples = 1;
 };
 
 struct PictureAnswer {

@@ -258,7 +258,7 @@ void drawOrbitStrip(StudioContext& context) {
     if (!program || context.strip == StudioContext::Strip::motion) drawTabs(context, false);
     if (context.strip == StudioContext::Strip::motion) return drawTimeline(context);
     if (!program) {
-        ImGui::TextDisabled("This shape is measured in the pictures only.");
+        ImGui::TextDisabled("The shape is being made into a distance grid …");
         return;
     }
     // On a line of numbers the slice's second axis is a parameter, else the imaginary part.

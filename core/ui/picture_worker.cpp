@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "colour/srgb.h"
+#include "io/grid_files.h"
 #include "plate/plate_picture.h"
 #include "render/movie.h"
 
@@ -28,6 +29,14 @@ PictureAnswer computePicture(CpuRenderer& renderer, const PictureRequest& reques
     Expected<Scene> scene = sceneOfText(request.scene);
     if (!scene) {
         answer.message = scene.status().message();
+        return answer;
+    }
+    if (request.samples == 0) {
+        const Expected<std::shared_ptr<const Grid>> grid = renderer.binder().grid(*scene, job);
+        if (!grid)
+            answer.message = grid.status().message();
+        else
+            answer.rgba = packGrid(**grid);
         return answer;
     }
     scene->samples = request.samples;

@@ -49,6 +49,8 @@ void Studio::State::takeAnswers() {
     while (std::optional<PictureAnswer> answer = context.host.takePicture())
         if (answer->view >= 0 && answer->view < kMostViews)
             context.views[static_cast<std::size_t>(answer->view)].picture.take(std::move(*answer));
+        else if (answer->view == kGridSlot)
+            context.takeGrid(*answer);
         else if (answer->view == kThumbnails)
             context.gallery.take(std::move(*answer));
     takeExport(context);

@@ -248,5 +248,25 @@ TEST(ImageFiles, SizesAreCheckedBeforeDecoding) {
     EXPECT_FALSE(readImage(torn).ok());
 }
 
+TEST(PackedGrid, ComesBackWithItsBox) {
+    Grid grid;
+    grid.resolution = {2, 3, 1};
+    grid.minimum = {-1, 0, 0.5};
+    grid.maximum = {1, 2, 0.5};
+    grid.values = {1, -2, 0.25, 4, 1e-300, -0.0};
+    std::vector<unsigned char> bytes = packGrid(grid);
+    EXPECT_EQ(bytes.size() % 4, 0u);
+    const Expected<Grid> again = unpackGrid(bytes);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->values, grid.values);
+    EXPECT_EQ(again->resolution, grid.resolution);
+    EXPECT_EQ(again->minimum, grid.minimum);
+    EXPECT_EQ(again->maximum, grid.maximum);
+    bytes.pop_back();
+    EXPECT_FALSE(unpackGrid(bytes));
+    for (std::size_t k = 0; k < 12; ++k) bytes[k] = 0xff;
+    EXPECT_FALSE(unpackGrid(bytes));
+}
+
 }  // namespace
 }  // namespace versorium

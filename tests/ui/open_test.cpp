@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "io/document.h"
 #include "io/png.h"
 #include "plate/plate_picture.h"
 #include "render/bind.h"
 #include "ui/headless_gui.h"
 #include "ui/open_file.h"
+#include "ui/picture_worker.h"
 
 namespace versorium {
 namespace {
@@ -57,6 +60,43 @@ TEST(Open, AMeshAndAnImageBecomeTheShape) {
             EXPECT_EQ(context.workspace.views[0].map,
                       takesOne ? "shape-modulus-power" : "quadratic");
         }
+}
+
+// Orbit and probe wait for the shape's grid, which is made beside the studio.
+TEST(Open, AMeshComesAsAGridFromTheHost) {
+    SilentHost host;
+    StudioContext context(host);
+    const std::string mesh =
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    ASSERT_TRUE(openBytes(context, "tetra.obj",
+                          {reinterpret_cast<const unsigned char*>(mesh.data()), mesh.size()})
+                    .ok());
+    EXPECT_EQ(context.orbitProgram(), nullptr);
+    EXPECT_EQ(context.program(0), nullptr);
+    ASSERT_EQ(host.pictures.size(), 1u) << "one request for all views";
+    EXPECT_EQ(host.pictures[0].view, kGridSlot);
+    CpuRenderer renderer;
+    Job job(1);
+    PictureAnswer answer = computePicture(renderer, host.pictures[0], job);
+    EXPECT_EQ(answer.message, "");
+    context.takeGrid(answer);
+    const OrbitProgram* program = context.orbitProgram();
+    ASSERT_NE(program, nullptr);
+    const std::vector<double>& values = program->field->grid()->values;
+    EXPECT_LT(*std::min_element(values.begin(), values.end()), 0);
+    EXPECT_GT(program->field->at(3.0, 0.0, 0.0), 1);
+    EXPECT_GT(context.orbit().size(), 1u);
+    context.program(0);
+    EXPECT_EQ(host.pictures.size(), 1u);
+    // Another resolution is another grid; one that cannot be made is asked for once.
+    for (Scene& scene : context.workspace.views) scene.shape.resolution = 20;
+    context.touch();
+    EXPECT_EQ(context.orbitProgram(), nullptr);
+    ASSERT_EQ(host.pictures.size(), 2u);
+    answer = {.view = kGridSlot, .id = host.pictures[1].id, .message = "no"};
+    context.takeGrid(answer);
+    EXPECT_EQ(context.orbitProgram(), nullptr);
+    EXPECT_EQ(host.pictures.size(), 2u);
 }
 
 TEST(Open, APaletteBecomesTheMarkedViewsOwn) {

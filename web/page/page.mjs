@@ -58,6 +58,8 @@ function wakeAnew() {
 // What comes back from the workers
 
 function deliverPicture(request, { bytes, message = "", seconds = 0 }) {
+  // A distance grid is as long as it is.
+  if (request.samples === 0 && bytes) [request.width, request.height] = [bytes.length / 4, 1];
   const fits = bytes?.length === request.width * request.height * 4;
   const begin = studio._page_picture_begin(
     request.view, request.id, fits ? request.width : 0, fits ? request.height : 0, seconds);
