@@ -5,56 +5,26 @@
 #include <cmath>
 
 #include "render/colouring.h"
+#include "render/cpu/tiles.h"
 #include "render/outline.h"
-#include "render/viewport.h"
 
 namespace versorium {
 namespace {
 
-constexpr int kTile = 32;      // pixels along a side
 constexpr int kPoints = 1024;  // points at once when there is no picture
 
-// Coordinates of the samples of a tile, row after row.
-struct Samples {
-    std::vector<double> u, v, w;
-    void add(double x, double y) {
-        u.push_back(x);
-        v.push_back(y);
-        w.push_back(0);
-    }
-};
-
-double thirdCoordinate(const Scene& scene) {
-    return scene.slice.centre.size() > 2 ? scene.slice.centre[2] + scene.slice.centreLow[2] : 0;
-}
-
-struct Tile {
-    int x, y, width, height;  // in pixels
-};
-std::vector<Tile> tilesOf(Size size) {
-    std::vector<Tile> tiles;
-    for (int y = 0; y < size.height; y += kTile)
-        for (int x = 0; x < size.width; x += kTile)
-            tiles.push_back(
-                {x, y, std::min(kTile, size.width - x), std::min(kTile, size.height - y)});
-    return tiles;
-}
-
-Samples samplesOf(const Tile& tile, int perSide, const Viewport& view, double third) {
-    Samples samples;
-    for (int y = tile.y * perSide; y < (tile.y + tile.height) * perSide; ++y)
-        for (int x = tile.x * perSide; x < (tile.x + tile.width) * perSide; ++x)
-            samples.add(view.u(x), view.v(y));
-    std::fill(samples.w.begin(), samples.w.end(), third);
-    return samples;
+EvaluateOptions optionsFor(const RenderOptions& options, const Job& job) {
+    return {.flavour = options.flavour,
+            .shortcuts = options.shortcuts,
+            .stop = [&job] { return job.cancelled(); }};
 }
 
 std::vector<std::vector<double>> evaluate(const OrbitProgram& program, const Samples& samples,
                                           const std::vector<FieldName>& fields,
-                                          const RenderOptions& options) {
+                                          const EvaluateOptions& options) {
     const double* coordinates[3] = {samples.u.data(), samples.v.data(), samples.w.data()};
     return evaluateFields(program, static_cast<int>(samples.u.size()), coordinates, fields,
-                          {options.flavour, options.shortcuts});
+                          options);
 }
 
 // Mean of the samples of each pixel of the tile: in linear light, colours weighted by alpha.
@@ -110,6 +80,17 @@ Status checkSize(const Scene& scene, Size size) {
 
 Status CpuRenderer::render(const Scene& scene, Size size, const RenderOptions& options, Job& job,
                            Frame& frame) {
+    return draw(scene, size, nullptr, options, job, frame);
+}
+
+Status CpuRenderer::render(const Scene& scene, Size size, const AveragedMap& averaged,
+                           const RenderOptions& options, Job& job, Frame& frame) {
+    if (Status status = averaged.check(scene, size); !status.ok()) return status;
+    return draw(scene, size, &averaged, options, job, frame);
+}
+
+Status CpuRenderer::draw(const Scene& scene, Size size, const AveragedMap* averaged,
+                         const RenderOptions& options, Job& job, Frame& frame) {
     if (Status status = checkSize(scene, size); !status.ok()) return status;
     Expected<OrbitProgram> program = binder_.bind(scene, job);
     if (!program) return program.status();
@@ -121,25 +102,33 @@ Status CpuRenderer::render(const Scene& scene, Size size, const RenderOptions& o
     const Viewport view = viewportOf(scene, sampled);
     frame.colour = Raster<float>(size, 4);
     Raster<unsigned char> sides;
-    if (pass->hasOutline()) sides = Raster<unsigned char>(sampled, 1);
+    if (pass->hasLines()) sides = Raster<unsigned char>(sampled, 1);
     const std::vector<Tile> tiles = tilesOf(size);
     const bool done = job.parallelFor(tiles.size(), [&](std::size_t index) {
         const Tile& tile = tiles[index];
         const Samples samples = samplesOf(tile, perSide, view, thirdCoordinate(scene));
-        const auto values = evaluate(*program, samples, pass->fields(), options);
+        EvaluateOptions own = optionsFor(options, job);
+        std::vector<std::uint32_t> counts;
+        if (averaged) {
+            counts = averaged->counts(tile.x * perSide, tile.y * perSide, tile.width * perSide,
+                                      tile.height * perSide);
+            own.counts = counts.data();
+            own.members = averaged->members();
+        }
+        const auto values = evaluate(*program, samples, pass->fields(), own);
         std::vector<Colour> colours(samples.u.size());
         const int across = tile.width * perSide;
         for (std::size_t i = 0; i < colours.size(); ++i) {
             colours[i] = pass->colour(values, colours.size(), i);
-            if (pass->hasOutline())
+            if (pass->hasLines())
                 sides.at(tile.x * perSide + static_cast<int>(i) % across,
                          tile.y * perSide + static_cast<int>(i) / across) =
-                    pass->inOutlinedSet(values, i);
+                    pass->side(values, i);
         }
         average(tile, perSide, colours, frame);
     });
     if (!done) return Status::cancelled();
-    if (pass->hasOutline())
+    if (pass->hasLines())
         drawOutline(sides, perSide, options.lineWidth * scene.colour.outlineWidth,
                     pass->outlineColour(), frame.colour);
     return composeLayers(scene, layerImages_, frame.colour);
@@ -158,7 +147,7 @@ Status CpuRenderer::measure(const Scene& scene, Size size, const std::vector<Fie
     const bool done = job.parallelFor(tiles.size(), [&](std::size_t index) {
         const Tile& tile = tiles[index];
         const Samples samples = samplesOf(tile, 1, view, thirdCoordinate(scene));
-        const auto values = evaluate(*program, samples, fields, options);
+        const auto values = evaluate(*program, samples, fields, optionsFor(options, job));
         const std::size_t count = samples.u.size();
         for (std::size_t f = 0; f < fields.size(); ++f)
             for (std::size_t i = 0; i < count; ++i)
@@ -197,7 +186,7 @@ Status CpuRenderer::measureAt(const Scene& scene, const std::vector<std::vector<
             const double* pointers[3] = {coordinates[0].data() + from, coordinates[1].data() + from,
                                          coordinates[2].data() + from};
             const auto values = evaluateFields(own, static_cast<int>(size), pointers, fields,
-                                               {options.flavour, options.shortcuts});
+                                               optionsFor(options, job));
             for (std::size_t i = 0; i < size; ++i)
                 for (const auto& channel : values)
                     for (std::size_t at = i; at < channel.size(); at += size)

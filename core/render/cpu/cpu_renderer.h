@@ -4,6 +4,7 @@
 
 #include "fields/evaluate.h"
 #include "render/bind.h"
+#include "render/cpu/averaged_map.h"
 #include "render/layers.h"
 #include "render/renderer.h"
 
@@ -13,6 +14,10 @@ class CpuRenderer final : public Renderer {
   public:
     Status render(const Scene& scene, Size size, const RenderOptions& options, Job& job,
                   Frame& frame) override;
+    // The same with the members of the scene's ensemble that were counted so far, for this scene and
+    // size; colours and layers may differ.
+    Status render(const Scene& scene, Size size, const AveragedMap& averaged,
+                  const RenderOptions& options, Job& job, Frame& frame);
 
     // Fields at pixel centres as numbers, one raster each, channels side by side.
     Status measure(const Scene& scene, Size size, const std::vector<FieldName>& fields,
@@ -27,6 +32,9 @@ class CpuRenderer final : public Renderer {
     Binder& binder() { return binder_; }
 
   private:
+    Status draw(const Scene& scene, Size size, const AveragedMap* averaged,
+                const RenderOptions& options, Job& job, Frame& frame);
+
     Binder binder_;
     LayerImages layerImages_;
 };
