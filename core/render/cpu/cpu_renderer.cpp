@@ -19,6 +19,19 @@ EvaluateOptions optionsFor(const RenderOptions& options, const Job& job) {
             .stop = [&job] { return job.cancelled(); }};
 }
 
+// With the counts of the tile's samples, where there are any.
+EvaluateOptions withCounts(const AveragedMap* averaged, const Tile& tile, int perSide,
+                           const RenderOptions& options, const Job& job,
+                           std::vector<std::uint32_t>& counts) {
+    EvaluateOptions all = optionsFor(options, job);
+    if (!averaged) return all;
+    counts = averaged->counts(tile.x * perSide, tile.y * perSide, tile.width * perSide,
+                              tile.height * perSide);
+    all.counts = counts.data();
+    all.members = averaged->members();
+    return all;
+}
+
 std::vector<std::vector<double>> evaluate(const OrbitProgram& program, const Samples& samples,
                                           const std::vector<FieldName>& fields,
                                           const EvaluateOptions& options) {
@@ -78,25 +91,19 @@ Status checkSize(const Scene& scene, Size size) {
     return {};
 }
 
+const AveragedMap* CpuRenderer::averagedOf(const Scene& scene, Size size) const {
+    return averaged_ && averaged_->check(scene, size).ok() ? averaged_.get() : nullptr;
+}
+
 Status CpuRenderer::render(const Scene& scene, Size size, const RenderOptions& options, Job& job,
                            Frame& frame) {
-    return draw(scene, size, nullptr, options, job, frame);
-}
-
-Status CpuRenderer::render(const Scene& scene, Size size, const AveragedMap& averaged,
-                           const RenderOptions& options, Job& job, Frame& frame) {
-    if (Status status = averaged.check(scene, size); !status.ok()) return status;
-    return draw(scene, size, &averaged, options, job, frame);
-}
-
-Status CpuRenderer::draw(const Scene& scene, Size size, const AveragedMap* averaged,
-                         const RenderOptions& options, Job& job, Frame& frame) {
     if (Status status = checkSize(scene, size); !status.ok()) return status;
     Expected<OrbitProgram> program = binder_.bind(scene, job);
     if (!program) return program.status();
     Expected<ColourPass> pass = ColourPass::make(scene, *program);
     if (!pass) return pass.status();
 
+    const AveragedMap* averaged = averagedOf(scene, size);
     const int perSide = scene.samples;
     const Size sampled{size.width * perSide, size.height * perSide};
     const Viewport view = viewportOf(scene, sampled);
@@ -107,14 +114,8 @@ Status CpuRenderer::draw(const Scene& scene, Size size, const AveragedMap* avera
     const bool done = job.parallelFor(tiles.size(), [&](std::size_t index) {
         const Tile& tile = tiles[index];
         const Samples samples = samplesOf(tile, perSide, view, thirdCoordinate(scene));
-        EvaluateOptions own = optionsFor(options, job);
         std::vector<std::uint32_t> counts;
-        if (averaged) {
-            counts = averaged->counts(tile.x * perSide, tile.y * perSide, tile.width * perSide,
-                                      tile.height * perSide);
-            own.counts = counts.data();
-            own.members = averaged->members();
-        }
+        const EvaluateOptions own = withCounts(averaged, tile, perSide, options, job, counts);
         const auto values = evaluate(*program, samples, pass->fields(), own);
         std::vector<Colour> colours(samples.u.size());
         const int across = tile.width * perSide;
@@ -140,6 +141,7 @@ Status CpuRenderer::measure(const Scene& scene, Size size, const std::vector<Fie
     if (Status status = checkSize(scene, size); !status.ok()) return status;
     Expected<OrbitProgram> program = binder_.bind(scene, job);
     if (!program) return program.status();
+    const AveragedMap* averaged = averagedOf(scene, size);
     const Viewport view = viewportOf(scene, size);
     rasters.clear();
     for (FieldName field : fields) rasters.emplace_back(size, channelCount(field, *program));
@@ -147,7 +149,11 @@ Status CpuRenderer::measure(const Scene& scene, Size size, const std::vector<Fie
     const bool done = job.parallelFor(tiles.size(), [&](std::size_t index) {
         const Tile& tile = tiles[index];
         const Samples samples = samplesOf(tile, 1, view, thirdCoordinate(scene));
-        const auto values = evaluate(*program, samples, fields, optionsFor(options, job));
+        std::vector<std::uint32_t> counts;
+        const auto values =
+            evaluate(*program, samples, fields,
+                     withCounts(scene.samples == 1 ? averaged : nullptr, tile, 1, options, job,
+                                counts));
         const std::size_t count = samples.u.size();
         for (std::size_t f = 0; f < fields.size(); ++f)
             for (std::size_t i = 0; i < count; ++i)

@@ -14,10 +14,12 @@ class CpuRenderer final : public Renderer {
   public:
     Status render(const Scene& scene, Size size, const RenderOptions& options, Job& job,
                   Frame& frame) override;
-    // The same with the members of the scene's ensemble that were counted so far, for this scene and
-    // size; colours and layers may differ.
-    Status render(const Scene& scene, Size size, const AveragedMap& averaged,
-                  const RenderOptions& options, Job& job, Frame& frame);
+    // From now on pictures of this map's scene and size, in whatever colours, show the members that
+    // it has counted instead of counting all; so do measurements where a pixel has one sample. Null:
+    // no longer.
+    void useAveraged(std::shared_ptr<const AveragedMap> averaged) {
+        averaged_ = std::move(averaged);
+    }
 
     // Fields at pixel centres as numbers, one raster each, channels side by side.
     Status measure(const Scene& scene, Size size, const std::vector<FieldName>& fields,
@@ -32,9 +34,9 @@ class CpuRenderer final : public Renderer {
     Binder& binder() { return binder_; }
 
   private:
-    Status draw(const Scene& scene, Size size, const AveragedMap* averaged,
-                const RenderOptions& options, Job& job, Frame& frame);
+    const AveragedMap* averagedOf(const Scene& scene, Size size) const;
 
+    std::shared_ptr<const AveragedMap> averaged_;
     Binder binder_;
     LayerImages layerImages_;
 };
