@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fields/ensemble.h"
 #include "fields/lanes_of_orbits.h"
 #include "fields/observers.h"
 
@@ -44,7 +45,7 @@ double escapeField(FieldName field, const OrbitProgram& program, const EscapeRes
         case FieldName::logModulus:
             return 0.5 * log(norm);
         default:
-            return 0.5 * log(norm) < program.iso ? 1 : 0;  // solid
+            return isSolid(program, norm) ? 1 : 0;
     }
 }
 
@@ -70,7 +71,37 @@ void imageFields(const OrbitProgram& program, OrbitLanes& lanes, FieldName field
     }
 }
 
+// Of a map alone the mean is the membership itself.
+void ensembleFields(const OrbitProgram& program, int count, const double* const* coordinates,
+                    const EvaluateOptions& options, std::vector<double>& mean,
+                    std::vector<double>& error) {
+    mean.resize(static_cast<std::size_t>(count));
+    error.resize(mean.size());
+    if (!program.ensemble || !program.ensemble->varies()) {
+        const bool solid = program.ensemble && program.ensemble->solid;
+        const FieldName field[] = {solid ? FieldName::solid : FieldName::membership};
+        mean = evaluateFields(program, count, coordinates, field, options)[0];
+        return;
+    }
+    std::vector<std::uint32_t> counted;
+    const std::uint32_t* counts = options.counts;
+    const std::uint64_t members = counts ? options.members : program.ensemble->count;
+    if (!counts) {
+        counted.assign(mean.size(), 0);
+        countMembers(program, 0, members, count, coordinates, counted.data(), options);
+        counts = counted.data();
+    }
+    for (std::size_t i = 0; i < mean.size(); ++i) {
+        mean[i] = meanOf(counts[i], members);
+        error[i] = standardErrorOf(counts[i], members);
+    }
+}
+
 }  // namespace
+
+bool isSolid(const OrbitProgram& program, double squaredNorm) {
+    return 0.5 * log(squaredNorm) < program.iso;
+}
 
 int channelCount(FieldName field, const OrbitProgram& program) {
     return field == FieldName::versor ? program.map->dimension : 1;
@@ -98,6 +129,10 @@ std::vector<std::vector<double>> evaluateFields(const OrbitProgram& program, int
     if (wants(fields, {attractionStep, trap, lyapunov}))
         observed = observe(program, start, wants(fields, {lyapunov}));
 
+    std::vector<double> mean, error;
+    if (wants(fields, {meanMembership, standardError}))
+        ensembleFields(program, count, coordinates, options, mean, error);
+
     for (std::size_t f = 0; f < fields.size(); ++f) {
         std::vector<double>& values = out[f];
         switch (fields[f]) {
@@ -120,6 +155,12 @@ std::vector<std::vector<double>> evaluateFields(const OrbitProgram& program, int
                 break;
             case period:
                 values = periodsOf(program, last, escape);
+                break;
+            case meanMembership:
+                values = mean;
+                break;
+            case standardError:
+                values = error;
                 break;
             default:
                 for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)

@@ -2,6 +2,8 @@
 #pragma once
 // Measures fields (fields/field_names.h) of many orbits at once.
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,6 +22,8 @@ struct Trap {
     int components = 2;  // of a point trap; lines and circles lie in the first two
     double radius = 1, angle = 0;
 };
+
+struct Ensemble;  // fields/ensemble.h
 
 // Everything that orbits follow from. The slice's numbers are the state, the parameters, and one
 // for each override, in this order.
@@ -40,7 +44,11 @@ struct OrbitProgram {
     double iso = 0;
     double degree = 2;
     Trap trap;
+    std::shared_ptr<const Ensemble> ensemble;  // null: this map alone
 };
+
+// Whether a last iterate of this squared norm makes its start part of the solid set.
+bool isSolid(const OrbitProgram& program, double squaredNorm);
 
 // Channels of a field: the dimension of the state for the versor, else 1.
 int channelCount(FieldName field, const OrbitProgram& program);
@@ -48,6 +56,11 @@ int channelCount(FieldName field, const OrbitProgram& program);
 struct EvaluateOptions {
     Flavour flavour = Flavour::exact;
     bool shortcuts = true;
+    // Of the members of an ensemble that were counted elsewhere (fields/ensemble.h): how many there
+    // are, and one count for each point. Null: all members are counted.
+    const std::uint32_t* counts = nullptr;
+    std::uint64_t members = 0;
+    std::function<bool()> stop;  // asked between members; values are of no use once it says true
 };
 
 // For `count` points with coordinates[axis][i]: one vector of count * channels numbers per field,

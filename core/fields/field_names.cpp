@@ -20,6 +20,8 @@ constexpr FieldInfo kFields[] = {
     {FieldName::trap, "trap", "least distance to the trap"},
     {FieldName::lyapunov, "lyapunov", "Lyapunov exponent"},
     {FieldName::period, "period", "period"},
+    {FieldName::meanMembership, "mean_membership", "mean membership"},
+    {FieldName::standardError, "standard_error", "standard error of the mean membership"},
 };
 
 }  // namespace

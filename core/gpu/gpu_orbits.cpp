@@ -16,7 +16,8 @@ namespace {
 
 constexpr const char* kAlongTheOrbit = "it looks at every iterate beside what is kept of an orbit";
 constexpr const char* kNeedsSlopes = "it needs derivatives, which one step in 32 bits has not";
-constexpr std::array<GpuField, 14> kFields = {{
+constexpr const char* kOfManyMaps = "it counts over an ensemble of maps";
+constexpr std::array<GpuField, 16> kFields = {{
     {FieldName::membership, true, ""},
     {FieldName::solid, true, ""},
     {FieldName::escapeStep, true, ""},
@@ -31,6 +32,8 @@ constexpr std::array<GpuField, 14> kFields = {{
     {FieldName::trap, false, kAlongTheOrbit},
     {FieldName::lyapunov, false, kNeedsSlopes},
     {FieldName::period, false, "cycles are told apart by more than 24 bits"},
+    {FieldName::meanMembership, false, kOfManyMaps},
+    {FieldName::standardError, false, kOfManyMaps},
 }};
 
 // A pixel must be this many units in the last place of what it is added to.

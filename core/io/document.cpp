@@ -39,6 +39,8 @@ std::string pathOf(const Json& json, const std::string& key) {
         if (key == name) return at(json, path) ? path : "";
     for (const char* section : kSections)
         if (at(json, section + key)) return section + key;
+    // A scene without an ensemble does not write one; what is put there makes one.
+    if (key == "ensemble" || key.starts_with("ensemble.")) return key;
     // Names of parameters may hold dots themselves.
     const std::string parameters = "parameters.";
     const std::string name = key.starts_with(parameters) ? key.substr(parameters.size()) : key;

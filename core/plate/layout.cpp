@@ -2,6 +2,7 @@
 // The page: title, grid of panels, caption and note, one below the other.
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 #include "plate/caption.h"
 #include "plate/grid.h"
@@ -97,6 +98,12 @@ class Composer {
             if (panel.kind == PanelKind::plot) {
                 contents_.push_back(plotContent(panel.plot, theme_));
                 info.description = describePlot(panel.plot);
+            } else if (panel.kind == PanelKind::profile) {
+                auto plotted = source_.profile(panel.scene, panel.profile);
+                if (!plotted) return plotted.status().in("panel " + panel.name);
+                profiles_.push_back(std::move(plotted->first));
+                info = std::move(plotted->second);
+                contents_.push_back(plotContent(profiles_.back(), theme_));
             } else {
                 Expected<PanelInfo> described =
                     panel.kind == PanelKind::diagram
@@ -249,7 +256,7 @@ class Composer {
         const int all = static_cast<int>(plate_.panels.size());
         for (std::size_t i = 0; i < plate_.panels.size(); ++i) {
             const PlatePanel& panel = plate_.panels[i];
-            if (panel.hasScene()) {
+            if (panel.hasScene() && panel.kind != PanelKind::profile) {
                 const Expected<Raster<float>> picture =
                     panel.kind == PanelKind::diagram
                         ? drawDiagram(panel, grid.pictures[i])
@@ -308,6 +315,7 @@ class Composer {
     const Theme& theme_;
     Metrics m_;
     double width_ = 0, margin_ = 0;
+    std::deque<LinePlot> profiles_;  // contents point to them
     std::vector<PanelContent> contents_;
     std::vector<PanelFacts> facts_;
     std::vector<std::pair<std::optional<AxisInfo>, std::optional<AxisInfo>>> infoAxes_;

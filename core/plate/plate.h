@@ -60,6 +60,15 @@ struct DiagramPlot {
     friend bool operator==(const DiagramPlot&, const DiagramPlot&) = default;
 };
 
+// The mean of the distance field of the scene's shape over circles or spheres against their radius,
+// with r̂ and the radii where capture and escape are certain (shape/radial_profile.h).
+struct ProfilePlot {
+    double aspect = 1.5;  // width / height
+    double to = 0;        // the largest radius; 0: past the shape
+    int radii = 257;      // from 0 to there
+    friend bool operator==(const ProfilePlot&, const ProfilePlot&) = default;
+};
+
 // A point of a panel in the colour and shape of lines, by order: where the parameters of another
 // panel's scene lie on the axes of this one. That panel's heading shows the same sign.
 struct PlateMark {
@@ -79,7 +88,7 @@ struct PlateOverlay {
     friend bool operator==(const PlateOverlay&, const PlateOverlay&) = default;
 };
 
-enum class PanelKind { scene, plot, diagram };
+enum class PanelKind { scene, plot, diagram, profile };
 
 struct PlatePanel {
     std::string name;   // a letter or a word: how --set and facts reach it; by default a, b, c …
@@ -93,6 +102,7 @@ struct PlatePanel {
     Json scene = Json::object();
     LinePlot plot;
     DiagramPlot diagram;           // of the panel's scene
+    ProfilePlot profile;           // of the panel's scene
     std::vector<PlateMark> marks;  // on a scene
     PlateOverlay overlay;          // on a scene
 
@@ -163,6 +173,9 @@ struct PanelSource {
     std::function<Expected<PanelInfo>(const Json& scene, const DiagramPlot&)> describeDiagram = {};
     std::function<Expected<DiagramPicture>(const Json& scene, const DiagramPlot&, Size pixels)>
         drawDiagram = {};
+    // A line plot of what follows from a scene, and the facts of it.
+    std::function<Expected<std::pair<LinePlot, PanelInfo>>(const Json& scene, const ProfilePlot&)>
+        profile = {};
     // Where the parameters of `other` lie on the first two axes of `scene`.
     std::function<Expected<std::array<double, 2>>(const Json& scene, const Json& other)> locate =
         {};

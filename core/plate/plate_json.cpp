@@ -101,6 +101,14 @@ Status readDiagram(const Json& value, const std::string& path, DiagramPlot& diag
     return reader.finish();
 }
 
+Status readProfile(const Json& value, const std::string& path, ProfilePlot& profile) {
+    ObjectReader reader(value, path);
+    reader.number("aspect", profile.aspect, 0.2, 8)
+        .number("to", profile.to, 0, 1e6)
+        .integer("radii", profile.radii, 2, 10000);
+    return reader.finish();
+}
+
 void readMarks(ObjectReader& reader, const std::string& path, PlatePanel& panel) {
     const Json* marks = reader.child("marks");
     if (!marks) return;
@@ -140,9 +148,10 @@ bool goodName(const std::string& name) {
 Status readPanel(const Json& value, const std::string& path, PlatePanel& panel) {
     ObjectReader reader(value, path);
     std::string kind = "scene";
-    reader.text("name", panel.name).word("kind", kind, {"scene", "plot", "diagram"});
+    reader.text("name", panel.name).word("kind", kind, {"scene", "plot", "diagram", "profile"});
     panel.kind = kind == "plot"      ? PanelKind::plot
                  : kind == "diagram" ? PanelKind::diagram
+                 : kind == "profile" ? PanelKind::profile
                                      : PanelKind::scene;
     reader.integer("span", panel.span, 1, 6);
     reader.boolean("axes", panel.axes).boolean("keys", panel.keys);
@@ -168,6 +177,11 @@ Status readPanel(const Json& value, const std::string& path, PlatePanel& panel) 
         reader.fail(readDiagram(*diagram, reader.pathOf("diagram"), panel.diagram));
     } else if (panel.kind == PanelKind::diagram) {
         reader.fail("diagram", "the diagram is missing");
+    }
+    if (const Json* profile = reader.child("profile")) {
+        if (panel.kind != PanelKind::profile)
+            reader.fail("profile", "only a panel of kind \"profile\" has one");
+        reader.fail(readProfile(*profile, reader.pathOf("profile"), panel.profile));
     }
     readMarks(reader, path, panel);
     if (const Json* overlay = reader.child("overlay")) {
@@ -229,6 +243,7 @@ Json panelToJson(const PlatePanel& panel) {
     value["title"] = panel.title;
     value["kind"] = panel.kind == PanelKind::plot      ? "plot"
                     : panel.kind == PanelKind::diagram ? "diagram"
+                    : panel.kind == PanelKind::profile ? "profile"
                                                        : "scene";
     value["span"] = panel.span;
     value["axes"] = panel.axes;
@@ -241,6 +256,10 @@ Json panelToJson(const PlatePanel& panel) {
     else
         value["scene"] = panel.scene;
     if (panel.kind == PanelKind::diagram) value["diagram"] = diagramToJson(panel.diagram);
+    if (panel.kind == PanelKind::profile)
+        value["profile"] = Json{{"aspect", panel.profile.aspect},
+                                {"to", panel.profile.to},
+                                {"radii", panel.profile.radii}};
     if (panel.kind != PanelKind::scene) return value;
     Json marks = Json::array();
     for (const PlateMark& mark : panel.marks)

@@ -9,6 +9,7 @@
 #include "dynamics/manifolds.h"
 #include "io/document.h"
 #include "render/colouring.h"
+#include "render/shape_profile.h"
 #include "render/system_of.h"
 #include "scene/numbers.h"
 
@@ -90,6 +91,15 @@ std::map<std::string, std::string> factsOf(const Scene& scene, const OrbitProgra
     for (int k = 0; k < program.map->dimension; ++k)
         facts[stateComponent(info, k)] = number(scene.start[static_cast<std::size_t>(k)]);
     for (const auto& [name, list] : scene.lists) facts[name] = std::to_string(list.roots.size());
+    const EnsembleSpec& ensemble = scene.ensemble;
+    facts["members"] = std::to_string(ensemble.count);
+    facts["seed"] = std::to_string(ensemble.seed);
+    if (ensemble.roots) {
+        const RandomRoots& draw = ensemble.roots->draw;
+        facts["drawn"] = std::to_string(draw.least) +
+                         (draw.most > draw.least ? " to " + std::to_string(draw.most) : "");
+        facts["powers"] = number(draw.lowPower) + " to " + number(draw.highPower);
+    }
     return facts;
 }
 
@@ -119,6 +129,9 @@ std::string sceneSentence(const Scene& scene) {
             : scene.colour.rule == "versor" ? "coloured by the versor"
             : scene.colour.rule == "phase"  ? "coloured by the argument"
                                             : "coloured by the field " + scene.colour.field;
+    if (scene.ensemble.varies())
+        text += "; an ensemble of " + std::to_string(scene.ensemble.count) + " maps, seed " +
+                std::to_string(scene.ensemble.seed);
     return text + ".";
 }
 
@@ -205,6 +218,50 @@ Expected<DiagramPicture> drawDiagram(CpuRenderer& renderer, const Scene& scene,
     if (Status status = fillDiagram(*program, options, 0, pixels.width, job, diagram); !status.ok())
         return status;
     return DiagramPicture{inkOf(diagram, options), std::move(diagram.periods)};
+}
+
+Expected<std::pair<LinePlot, PanelInfo>> plotProfile(CpuRenderer& renderer, const Scene& scene,
+                                                     const ProfilePlot& spec, Job& job) {
+    Expected<RadialProfile> profile =
+        shapeProfile(renderer.binder(), scene, spec.to, spec.radii, job);
+    if (!profile) return profile.status();
+    Expected<OrbitProgram> program = renderer.binder().bind(scene, job);
+    if (!program) return program.status();
+    const bool planar = program->map->dimension == 2;
+    const double to = profile->radius.back();
+    LinePlot plot;
+    plot.aspect = spec.aspect;
+    plot.x = {.name = "radius r", .low = 0, .high = to};
+    plot.y.name = planar ? "on the circle |z| = r" : "on the sphere |q| = r";
+    // r̂ grows without bound: the plot ends where φ does.
+    double low = 0, high = to;
+    for (double mean : profile->mean) {
+        low = std::min(low, mean);
+        high = std::max(high, mean);
+    }
+    plot.y.low = low - 0.05 * (high - low);
+    plot.y.high = high;
+    plot.lines = {{"mean of φ", "line", profile->radius, profile->mean},
+                  {"r\u0302 = e^{α(mean φ−β)}", "line", profile->radius, profile->modulus},
+                  {"r\u0302 = r", "line", {0, to}, {0, to}}};
+    const auto mark = [&](const std::string& name, double radius) {
+        if (radius > 0 && radius <= to)
+            plot.lines.push_back({name, "line", {radius, radius}, {*plot.y.low, high}});
+    };
+    mark("capture is certain below " + number(profile->capture), profile->capture);
+    if (profile->escape < program->escapeRadius)
+        mark("escape is certain above " + number(profile->escape), profile->escape);
+    PanelInfo info;
+    info.aspect = spec.aspect;
+    info.facts = factsOf(scene, *program);
+    info.facts["capture"] = number(profile->capture);
+    info.facts["escape"] = number(profile->escape);
+    info.description = std::string("Mean of the distance field of ") + info.facts["shape"] +
+                       (planar ? " over the circle" : " over the sphere") +
+                       " of radius r against r from 0 to " + number(to) +
+                       ". Capture is certain below " + number(profile->capture) +
+                       ", escape above " + number(profile->escape) + ".";
+    return std::pair{std::move(plot), std::move(info)};
 }
 
 Expected<std::array<double, 2>> locateScene(const Scene& scene, const Scene& other) {
@@ -314,6 +371,12 @@ PanelSource scenePanels(CpuRenderer& renderer, const Json& assets, Job& job, int
                          const PlateOverlay& overlay) -> Expected<std::vector<OverlayPart>> {
         Expected<Scene> scene = sceneWithAssets(json, assets);
         return scene ? overlayOf(renderer, *scene, overlay, job) : scene.status();
+    };
+    source.profile = [&renderer, assets, &job](const Json& json, const ProfilePlot& plot)
+        -> Expected<std::pair<LinePlot, PanelInfo>> {
+        Expected<Scene> scene = sceneWithAssets(json, assets);
+        if (!scene) return scene.status();
+        return plotProfile(renderer, *scene, plot, job);
     };
     source.locate = [assets](const Json& json,
                              const Json& otherJson) -> Expected<std::array<double, 2>> {

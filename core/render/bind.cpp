@@ -5,10 +5,12 @@
 #include <cmath>
 
 #include "base/embedded.h"
+#include "fields/ensemble.h"
 #include "io/grid_files.h"
 #include "io/image_files.h"
 #include "io/mesh_files.h"
 #include "scene/numbers.h"
+#include "shape/bounds.h"
 #include "shape/image_distance.h"
 #include "shape/mesh_distance.h"
 
@@ -75,6 +77,53 @@ std::size_t numberIndex(const Scene& scene, const NumberRef& ref, OrbitProgram& 
     if (k == program.overrides.size())
         program.overrides.push_back({ref.listIndex, ref.item, ref.component});
     return static_cast<std::size_t>(map.dimension + map.parameters) + k;
+}
+
+std::size_t numberIndex(const Scene& scene, const std::string& name, OrbitProgram& program) {
+    return numberIndex(scene, *numberNamed(scene, name), program);
+}
+
+// The box of the shape, in the components of a point at which the shape is looked up.
+void takeShapeBox(const Scene& scene, const OrbitProgram& program, RandomRoots& roots) {
+    const bool planar = program.map->info.algebra == Algebra::complex;
+    const ShapeBounds bounds = boundsOf(*program.field, planar ? 2 : 3);
+    int dropped = 3;
+    if (const auto drop = scene.parameters.find("drop"); drop != scene.parameters.end())
+        dropped = static_cast<int>(std::clamp(drop->second[0], 0.0, 3.0));
+    roots.centre.fill(0);
+    roots.half.fill(0);
+    std::size_t next = 0;
+    for (int k = 0; k < (planar ? 2 : 4); ++k) {
+        if (k == dropped) continue;
+        const auto at = static_cast<std::size_t>(k);
+        roots.centre[at] = 0.5 * (bounds.low[next] + bounds.high[next]);
+        roots.half[at] = 0.5 * (bounds.high[next] - bounds.low[next]);
+        ++next;
+    }
+}
+
+// What the ensemble draws must have its numbers in the slice before the slice is bound.
+std::shared_ptr<const Ensemble> ensembleOf(const Scene& scene, OrbitProgram& program) {
+    const EnsembleSpec& spec = scene.ensemble;
+    const auto ensemble = std::make_shared<Ensemble>();
+    ensemble->count = static_cast<std::uint64_t>(spec.count);
+    ensemble->seed = static_cast<std::uint64_t>(spec.seed);
+    ensemble->solid = spec.set == "solid";
+    if (spec.roots) {
+        const auto& names = program.map->info.lists;
+        ensemble->list = static_cast<int>(
+            std::find(names.begin(), names.end(), spec.roots->list) - names.begin());
+        ensemble->roots = spec.roots->draw;
+        if (spec.roots->shapeBox) takeShapeBox(scene, program, ensemble->roots);
+    }
+    for (const EnsembleRange& range : spec.ranges)
+        ensemble->ranges.push_back(
+            {numberIndex(scene, range.name, program), range.from, range.to});
+    for (const EnsembleDisc& disc : spec.discs)
+        ensemble->discs.push_back({numberIndex(scene, disc.name + ".re", program),
+                                   numberIndex(scene, disc.name + ".im", program), disc.centreRe,
+                                   disc.centreIm, disc.radius});
+    return ensemble;
 }
 
 // Lists on axes first, so that the number of numbers is known.
@@ -150,6 +199,15 @@ double automaticRadius(const Scene& scene) {
             if (name.starts_with("c.")) return info.escapeRadius;
     double square = 0;
     for (double part : scene.parameters.at("c")) square = square + part * part;
+    // The radius is one for all members of an ensemble.
+    for (const EnsembleRange& range : scene.ensemble.ranges) {
+        const double most = std::max(std::abs(range.from), std::abs(range.to));
+        if (range.name.starts_with("c.")) square = square + most * most;
+    }
+    for (const EnsembleDisc& disc : scene.ensemble.discs) {
+        const double most = std::abs(disc.centreRe) + std::abs(disc.centreIm) + disc.radius;
+        if (disc.name == "c") square = std::max(square, most * most);
+    }
     return std::max(info.escapeRadius, (1 + std::sqrt(1 + 4 * std::sqrt(square))) / 2);
 }
 
@@ -230,6 +288,7 @@ Expected<OrbitProgram> Binder::bind(const Scene& scene, Job& job) {
         if (!made) return made.status();
         program.field = *made;
     }
+    program.ensemble = ensembleOf(scene, program);
     if (Status status = bindSlice(scene, program); !status.ok()) return status;
     program.critical = scene.criticalStart;
     program.iterations = scene.iterations;

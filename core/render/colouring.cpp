@@ -32,6 +32,8 @@ Scale defaultScale(FieldName field, const OrbitProgram& program, double height) 
             return {ScaleKind::log, 1e-4 * height, 0.25 * height};
         case FieldName::lyapunov:
             return {ScaleKind::linear, -1, 1};
+        case FieldName::standardError:
+            return {ScaleKind::linear, 0, 0.02};
         case FieldName::period:
             return {ScaleKind::linear, 0, 16};
         default:
@@ -96,6 +98,7 @@ Expected<ColourPass> ColourPass::make(const Scene& scene, const OrbitProgram& pr
         if (colouring.interior != "none")
             pass.interiorField_ = pass.ask(findField(colouring.interior)->field);
     }
+    if (pass.shownAt_ >= 0) pass.contours_ = colouring.contours;
     if (colouring.outline != "none")
         pass.outlineField_ = pass.ask(findField(colouring.outline)->field);
     pass.outlineColour_ = *colourFromHex(colouring.outlineColour);
@@ -140,9 +143,13 @@ Colour ColourPass::colour(const std::vector<std::vector<double>>& values, std::s
     return palette_.at(scale_.position(value));
 }
 
-bool ColourPass::inOutlinedSet(const std::vector<std::vector<double>>& values,
+unsigned char ColourPass::side(const std::vector<std::vector<double>>& values,
                                std::size_t i) const {
-    return outlineField_ >= 0 && values[static_cast<std::size_t>(outlineField_)][i] != 0;
+    const auto at = [&](int field) { return values[static_cast<std::size_t>(field)][i]; };
+    int reached = 0;
+    for (double level : contours_) reached += at(shownAt_) >= level;
+    const bool inside = outlineField_ >= 0 && at(outlineField_) != 0;
+    return static_cast<unsigned char>(2 * reached + inside);
 }
 
 }  // namespace versorium

@@ -20,9 +20,11 @@ class ColourPass {
     // Linear light, straight alpha. values[f][channel * count + i] for the i-th of count points.
     Colour colour(const std::vector<std::vector<double>>& values, std::size_t count,
                   std::size_t i) const;
-    // Which side of the outlined set the point is on; false without an outline.
-    bool inOutlinedSet(const std::vector<std::vector<double>>& values, std::size_t i) const;
-    bool hasOutline() const { return outlineField_ >= 0; }
+    // Where the point lies between the contours of the shown field (how many levels its value
+    // reaches), and whether it is in the outlined set: lines run where this differs between
+    // neighbours. 0 without lines.
+    unsigned char side(const std::vector<std::vector<double>>& values, std::size_t i) const;
+    bool hasLines() const { return outlineField_ >= 0 || !contours_.empty(); }
     Colour outlineColour() const { return outlineColour_; }
 
     // Of the palette rule.
@@ -43,6 +45,7 @@ class ColourPass {
     Scale scale_;
     Palette palette_;
     Colour outlineColour_;
+    std::vector<double> contours_;
     Gradient escaped_, attracted_;
     std::string smoothing_;
     double iterations_ = 1, squaredRadius_ = 4;

@@ -17,6 +17,7 @@
 #include "geometry/roots.h"
 #include "maps/catalogue.h"
 #include "maps/formula_map.h"
+#include "scene/ensemble.h"
 
 namespace versorium {
 
@@ -73,6 +74,7 @@ struct Colouring {
     std::string outline = "none";     // "membership", "solid" or "none"
     std::string outlineColour = "#ffffff";
     double outlineWidth = 1;  // in line widths of the medium
+    std::vector<double> contours;  // levels of `field` along which the same line runs
     friend bool operator==(const Colouring&, const Colouring&) = default;
 };
 
@@ -109,6 +111,7 @@ struct Scene {
     double iso = 0;                      // of the field `solid`
     TrapSpec trap;
     Colouring colour;
+    EnsembleSpec ensemble;
     std::vector<Layer> layers;  // from the bottom up
     double aspect = 1;          // width / height of the picture
     int samples = 2;            // along each side of a pixel, averaged in linear light
@@ -117,6 +120,7 @@ struct Scene {
 
 inline constexpr int kMostIterations = 10000000;
 inline constexpr int kMostSamples = 8;
+inline constexpr std::size_t kMostContours = 100;
 inline constexpr std::size_t kMostRoots = 4096;
 inline constexpr std::size_t kMostAssetBytes = 32u << 20;
 

@@ -207,6 +207,7 @@ void readColour(ObjectReader& reader, Scene& scene) {
         .text("outline_colour", c.outlineColour)
         .number("outline_width", c.outlineWidth, 0, 100);
     readPalette(colour, c);
+    colour.numbers("contours", c.contours, 0, kMostContours);
     if (const Json* range = colour.child("range"); range && !(range->is_array() && range->empty()))
         colour.numbers("range", c.range, 2, 2);
     else if (range)
@@ -374,6 +375,7 @@ Expected<Scene> sceneFromJson(const Json& value) {
         .integer("samples", scene.samples, 1, kMostSamples);
     readTrap(reader, scene);
     readColour(reader, scene);
+    readEnsemble(reader, scene.ensemble);
     readLayers(reader, scene);
     readAssets(reader, scene);
     for (const auto& [key, list] : scene.parameters)
@@ -382,6 +384,7 @@ Expected<Scene> sceneFromJson(const Json& value) {
                 reader.fail("parameters", key + " is not a finite number of moderate size");
     if (const Status status = reader.finish(); !status.ok()) return status;
     if (const Status status = checkNames(scene); !status.ok()) return status;
+    if (const Status status = checkEnsemble(scene); !status.ok()) return status;
     return scene;
 }
 
@@ -455,7 +458,9 @@ Json sceneToJson(const Scene& scene) {
                           {"smoothing", c.smoothing},
                           {"outline", c.outline},
                           {"outline_colour", c.outlineColour},
-                          {"outline_width", c.outlineWidth}};
+                          {"outline_width", c.outlineWidth},
+                          {"contours", numbers(c.contours)}};
+    if (!(scene.ensemble == EnsembleSpec{})) json["ensemble"] = ensembleToJson(scene.ensemble);
     for (const Layer& layer : scene.layers) json["layers"].push_back(layerJson(layer));
     json["aspect"] = scene.aspect;
     json["samples"] = scene.samples;

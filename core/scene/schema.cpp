@@ -52,6 +52,24 @@ const std::pair<const char*, const char*> kDescriptions[] = {
     {"colour.outline", "the set whose boundary is drawn"},
     {"colour.outline_colour", "#rrggbb"},
     {"colour.outline_width", "in line widths of the medium"},
+    {"colour.contours", "levels of the field along which a line of the outline's look runs"},
+    {"ensemble", "maps that differ in numbers drawn at random, for mean_membership"},
+    {"ensemble.count", "members, 1 to 100000000"},
+    {"ensemble.seed", "of the random numbers"},
+    {"ensemble.set", "the set whose mean is taken: membership or solid"},
+    {"ensemble.roots", "a list of roots that is drawn anew for each member, or null"},
+    {"ensemble.roots.list", "which list"},
+    {"ensemble.roots.count", "least and greatest number of roots"},
+    {"ensemble.roots.region", "box, or ball: the ellipsoid within the box"},
+    {"ensemble.roots.half", "half extents of the box; empty: the box of the shape"},
+    {"ensemble.roots.center", "centre of the box"},
+    {"ensemble.roots.power", "least and greatest power"},
+    {"ensemble.roots.powers", "whole or real"},
+    {"ensemble.roots.arrangement", "even, clustered or spread"},
+    {"ensemble.roots.clusters", "number of clusters"},
+    {"ensemble.roots.cluster_radius", "in half extents of the region, below 1"},
+    {"ensemble.ranges", "numbers by name, each uniform between from and to"},
+    {"ensemble.discs", "complex numbers by name, each uniform in a disc"},
     {"layers", "images behind and in front, from the bottom up"},
     {"layers.source", "leaf, #rrggbb or asset:SHA-256; a list of them is a sequence of frames"},
     {"layers.frame", "of a sequence; it begins again after the last one"},
@@ -72,6 +90,10 @@ Json allowedWords(const std::string& path) {
         return words({"none", "membership", "solid"});
     if (path == "colour.smoothing") return words({"none", "ratio", "log-log"});
     if (path == "escape_test") return words({"first", "last"});
+    if (path == "ensemble.set") return words({"membership", "solid"});
+    if (path == "ensemble.roots.region") return words({"box", "ball"});
+    if (path == "ensemble.roots.powers") return words({"whole", "real"});
+    if (path == "ensemble.roots.arrangement") return words({"even", "clustered", "spread"});
     if (path == "trap.kind") return words({"point", "line", "circle"});
     if (path == "shape.outside") return words({"", "border", "distance"});
     Json all = Json::array();
@@ -97,6 +119,11 @@ Json schemaOf(const Json& value, const std::string& path) {
                                                           "a palette of the scene's own, as "
                                                           "versorium palettes --json shows"}}});
     } else if (path == "layers" && value.is_array()) {
+        schema["type"] = "array";
+        schema["items"] = schemaOf(value[0], path);
+        schema["default"] = Json::array();
+        return schema;
+    } else if ((path == "ensemble.ranges" || path == "ensemble.discs") && value.is_array()) {
         schema["type"] = "array";
         schema["items"] = schemaOf(value[0], path);
         schema["default"] = Json::array();
@@ -132,6 +159,9 @@ Json sceneSchema() {
     // A map with a field and lists shows every section.
     Scene whole = sceneOf(*findMap("shape-modulus"));
     whole.layers.emplace_back();
+    whole.ensemble.roots.emplace();
+    whole.ensemble.ranges.emplace_back();
+    whole.ensemble.discs.emplace_back();
     const Json example = sceneToJson(whole);
     Json schema = schemaOf(example, "");
     Json result{{"$schema", "https://json-schema.org/draft/2020-12/schema"},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
+#include <filesystem>
 
 #include "base/hash.h"
 #include "commands/commands.h"
@@ -13,7 +14,7 @@ namespace {
 
 struct RenderRequest {
     SceneRequest source;
-    std::string output, size, flavour;
+    std::string output, size, flavour, averaged;
     std::vector<std::string> fields;
     int samples = 0;
     bool json = false;
@@ -61,6 +62,40 @@ Status saveFields(CpuRenderer& renderer, const Scene& scene, const PictureOption
     return {};
 }
 
+// Goes on with the counts in the file, if there is one, up to the scene's number of members; the
+// file is written anew after each portion, so that little is lost where it is stopped.
+Status countToFile(const std::string& path, const Scene& scene, const PictureOptions& options,
+                   CpuRenderer& renderer, Job& job) {
+    constexpr std::uint64_t kPortions = 20;
+    Expected<AveragedMap> map = AveragedMap::make(scene, pictureSize(scene, options));
+    if (!map) return map.status();
+    if (std::filesystem::exists(path)) {
+        Expected<Bytes> bytes = readFile(path);
+        if (!bytes) return bytes.status();
+        if (Status status = map->restore(*bytes); !status.ok()) return status.in(path);
+    }
+    const auto count = static_cast<std::uint64_t>(scene.ensemble.count);
+    const std::uint64_t from = map->members();
+    if (from > count)
+        return Status::usage(path + ": " + std::to_string(from) +
+                             " members are counted already; give --set ensemble.count=" +
+                             std::to_string(from) + " or another file");
+    const std::uint64_t portion = std::max<std::uint64_t>(16, count / kPortions);
+    while (map->members() < count) {
+        const std::uint64_t next = std::min(portion, count - map->members());
+        const double span = static_cast<double>(count - from);
+        job.setPart(static_cast<double>(map->members() - from) / span,
+                    static_cast<double>(map->members() + next - from) / span);
+        if (Status status =
+                map->add(renderer.binder(), next, {options.flavour, options.shortcuts, 1}, job);
+            !status.ok())
+            return status;
+        if (Status status = writeFileAtomically(path, map->save()); !status.ok()) return status;
+    }
+    renderer.useAveraged(std::make_shared<const AveragedMap>(std::move(*map)));
+    return {};
+}
+
 Status renderScene(const RenderRequest& request, int threads) {
     Expected<OpenedScene> opened = openScene(request.source);
     if (!opened) return opened.status();
@@ -82,6 +117,10 @@ Status renderScene(const RenderRequest& request, int threads) {
     Job job(threads);
     const ProgressLine progress(job, "rendering");
     CpuRenderer renderer;
+    if (!request.averaged.empty())
+        if (Status status = countToFile(request.averaged, scene, options, renderer, job);
+            !status.ok())
+            return status;
     Expected<std::vector<unsigned char>> png = renderPicture(renderer, scene, options, job);
     if (!png) return png.status();
     const Size size = pictureSize(scene, options);
@@ -175,6 +214,9 @@ void addRenderCommands(CommandLine& line) {
     render->add_option("--save-field", request->fields, "NAME=FILE.npy: a field as numbers");
     render->add_option("--flavour", request->flavour,
                        "exact: the same bits everywhere; fast: for a first look");
+    render->add_option("--averaged", request->averaged,
+                       "file that keeps the counts of the scene's ensemble: a later run with more "
+                       "members (--set ensemble.count=N) goes on from it");
     render->add_flag("--json", request->json, "report as JSON");
     line.run(render, [request, &line] { return renderScene(*request, line.threads); });
 

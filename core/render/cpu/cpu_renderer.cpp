@@ -5,56 +5,39 @@
 #include <cmath>
 
 #include "render/colouring.h"
+#include "render/cpu/tiles.h"
 #include "render/outline.h"
-#include "render/viewport.h"
 
 namespace versorium {
 namespace {
 
-constexpr int kTile = 32;      // pixels along a side
 constexpr int kPoints = 1024;  // points at once when there is no picture
 
-// Coordinates of the samples of a tile, row after row.
-struct Samples {
-    std::vector<double> u, v, w;
-    void add(double x, double y) {
-        u.push_back(x);
-        v.push_back(y);
-        w.push_back(0);
-    }
-};
-
-double thirdCoordinate(const Scene& scene) {
-    return scene.slice.centre.size() > 2 ? scene.slice.centre[2] + scene.slice.centreLow[2] : 0;
+EvaluateOptions optionsFor(const RenderOptions& options, const Job& job) {
+    return {.flavour = options.flavour,
+            .shortcuts = options.shortcuts,
+            .stop = [&job] { return job.cancelled(); }};
 }
 
-struct Tile {
-    int x, y, width, height;  // in pixels
-};
-std::vector<Tile> tilesOf(Size size) {
-    std::vector<Tile> tiles;
-    for (int y = 0; y < size.height; y += kTile)
-        for (int x = 0; x < size.width; x += kTile)
-            tiles.push_back(
-                {x, y, std::min(kTile, size.width - x), std::min(kTile, size.height - y)});
-    return tiles;
-}
-
-Samples samplesOf(const Tile& tile, int perSide, const Viewport& view, double third) {
-    Samples samples;
-    for (int y = tile.y * perSide; y < (tile.y + tile.height) * perSide; ++y)
-        for (int x = tile.x * perSide; x < (tile.x + tile.width) * perSide; ++x)
-            samples.add(view.u(x), view.v(y));
-    std::fill(samples.w.begin(), samples.w.end(), third);
-    return samples;
+// With the counts of the tile's samples, where there are any.
+EvaluateOptions withCounts(const AveragedMap* averaged, const Tile& tile, int perSide,
+                           const RenderOptions& options, const Job& job,
+                           std::vector<std::uint32_t>& counts) {
+    EvaluateOptions all = optionsFor(options, job);
+    if (!averaged) return all;
+    counts = averaged->counts(tile.x * perSide, tile.y * perSide, tile.width * perSide,
+                              tile.height * perSide);
+    all.counts = counts.data();
+    all.members = averaged->members();
+    return all;
 }
 
 std::vector<std::vector<double>> evaluate(const OrbitProgram& program, const Samples& samples,
                                           const std::vector<FieldName>& fields,
-                                          const RenderOptions& options) {
+                                          const EvaluateOptions& options) {
     const double* coordinates[3] = {samples.u.data(), samples.v.data(), samples.w.data()};
     return evaluateFields(program, static_cast<int>(samples.u.size()), coordinates, fields,
-                          {options.flavour, options.shortcuts});
+                          options);
 }
 
 // Mean of the samples of each pixel of the tile: in linear light, colours weighted by alpha.
@@ -108,6 +91,10 @@ Status checkSize(const Scene& scene, Size size) {
     return {};
 }
 
+const AveragedMap* CpuRenderer::averagedOf(const Scene& scene, Size size) const {
+    return averaged_ && averaged_->check(scene, size).ok() ? averaged_.get() : nullptr;
+}
+
 Status CpuRenderer::render(const Scene& scene, Size size, const RenderOptions& options, Job& job,
                            Frame& frame) {
     if (Status status = checkSize(scene, size); !status.ok()) return status;
@@ -116,30 +103,33 @@ Status CpuRenderer::render(const Scene& scene, Size size, const RenderOptions& o
     Expected<ColourPass> pass = ColourPass::make(scene, *program);
     if (!pass) return pass.status();
 
+    const AveragedMap* averaged = averagedOf(scene, size);
     const int perSide = scene.samples;
     const Size sampled{size.width * perSide, size.height * perSide};
     const Viewport view = viewportOf(scene, sampled);
     frame.colour = Raster<float>(size, 4);
     Raster<unsigned char> sides;
-    if (pass->hasOutline()) sides = Raster<unsigned char>(sampled, 1);
+    if (pass->hasLines()) sides = Raster<unsigned char>(sampled, 1);
     const std::vector<Tile> tiles = tilesOf(size);
     const bool done = job.parallelFor(tiles.size(), [&](std::size_t index) {
         const Tile& tile = tiles[index];
         const Samples samples = samplesOf(tile, perSide, view, thirdCoordinate(scene));
-        const auto values = evaluate(*program, samples, pass->fields(), options);
+        std::vector<std::uint32_t> counts;
+        const EvaluateOptions own = withCounts(averaged, tile, perSide, options, job, counts);
+        const auto values = evaluate(*program, samples, pass->fields(), own);
         std::vector<Colour> colours(samples.u.size());
         const int across = tile.width * perSide;
         for (std::size_t i = 0; i < colours.size(); ++i) {
             colours[i] = pass->colour(values, colours.size(), i);
-            if (pass->hasOutline())
+            if (pass->hasLines())
                 sides.at(tile.x * perSide + static_cast<int>(i) % across,
                          tile.y * perSide + static_cast<int>(i) / across) =
-                    pass->inOutlinedSet(values, i);
+                    pass->side(values, i);
         }
         average(tile, perSide, colours, frame);
     });
     if (!done) return Status::cancelled();
-    if (pass->hasOutline())
+    if (pass->hasLines())
         drawOutline(sides, perSide, options.lineWidth * scene.colour.outlineWidth,
                     pass->outlineColour(), frame.colour);
     return composeLayers(scene, layerImages_, frame.colour);
@@ -151,6 +141,7 @@ Status CpuRenderer::measure(const Scene& scene, Size size, const std::vector<Fie
     if (Status status = checkSize(scene, size); !status.ok()) return status;
     Expected<OrbitProgram> program = binder_.bind(scene, job);
     if (!program) return program.status();
+    const AveragedMap* averaged = averagedOf(scene, size);
     const Viewport view = viewportOf(scene, size);
     rasters.clear();
     for (FieldName field : fields) rasters.emplace_back(size, channelCount(field, *program));
@@ -158,7 +149,11 @@ Status CpuRenderer::measure(const Scene& scene, Size size, const std::vector<Fie
     const bool done = job.parallelFor(tiles.size(), [&](std::size_t index) {
         const Tile& tile = tiles[index];
         const Samples samples = samplesOf(tile, 1, view, thirdCoordinate(scene));
-        const auto values = evaluate(*program, samples, fields, options);
+        std::vector<std::uint32_t> counts;
+        const auto values =
+            evaluate(*program, samples, fields,
+                     withCounts(scene.samples == 1 ? averaged : nullptr, tile, 1, options, job,
+                                counts));
         const std::size_t count = samples.u.size();
         for (std::size_t f = 0; f < fields.size(); ++f)
             for (std::size_t i = 0; i < count; ++i)
@@ -197,7 +192,7 @@ Status CpuRenderer::measureAt(const Scene& scene, const std::vector<std::vector<
             const double* pointers[3] = {coordinates[0].data() + from, coordinates[1].data() + from,
                                          coordinates[2].data() + from};
             const auto values = evaluateFields(own, static_cast<int>(size), pointers, fields,
-                                               {options.flavour, options.shortcuts});
+                                               optionsFor(options, job));
             for (std::size_t i = 0; i < size; ++i)
                 for (const auto& channel : values)
                     for (std::size_t at = i; at < channel.size(); at += size)

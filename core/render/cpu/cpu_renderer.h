@@ -4,6 +4,7 @@
 
 #include "fields/evaluate.h"
 #include "render/bind.h"
+#include "render/cpu/averaged_map.h"
 #include "render/layers.h"
 #include "render/renderer.h"
 
@@ -13,6 +14,12 @@ class CpuRenderer final : public Renderer {
   public:
     Status render(const Scene& scene, Size size, const RenderOptions& options, Job& job,
                   Frame& frame) override;
+    // From now on pictures of this map's scene and size, in whatever colours, show the members that
+    // it has counted instead of counting all; so do measurements where a pixel has one sample. Null:
+    // no longer.
+    void useAveraged(std::shared_ptr<const AveragedMap> averaged) {
+        averaged_ = std::move(averaged);
+    }
 
     // Fields at pixel centres as numbers, one raster each, channels side by side.
     Status measure(const Scene& scene, Size size, const std::vector<FieldName>& fields,
@@ -27,6 +34,9 @@ class CpuRenderer final : public Renderer {
     Binder& binder() { return binder_; }
 
   private:
+    const AveragedMap* averagedOf(const Scene& scene, Size size) const;
+
+    std::shared_ptr<const AveragedMap> averaged_;
     Binder binder_;
     LayerImages layerImages_;
 };

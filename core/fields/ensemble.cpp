@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "fields/ensemble.h"
+
+#include <cmath>
+#include <limits>
+
+#include "fields/lanes_of_orbits.h"
+
+namespace versorium {
+namespace {
+
+// Some of the points, their coordinates gathered.
+struct Points {
+    std::vector<std::size_t> index;
+    std::vector<double> coordinates[3];
+
+    void add(std::size_t i, const double* const* from) {
+        index.push_back(i);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            coordinates[axis].push_back(from[axis] ? from[axis][i] : 0);
+    }
+};
+
+// |f| does not depend on the direction p: where it is beyond the escape radius for one member's
+// roots, the orbit escapes at step 1 for every member. The modulus is the same but for rounding, for
+// which there is a margin.
+constexpr double kRoundingMargin = 1e-9;
+
+Points undecided(const OrbitProgram& program, const Ensemble& ensemble, int count,
+                 const double* const* coordinates, const EvaluateOptions& options) {
+    Points points;
+    const bool onlyRoots = ensemble.ranges.empty() && ensemble.discs.empty();
+    const bool known = options.shortcuts && onlyRoots && program.map->info.field &&
+                       program.iterations >= 1 && !program.onlyLastTested;
+    std::vector<double> modulus;
+    if (known) {
+        const FieldName field[] = {FieldName::imageModulus};
+        modulus = evaluateFields(program, count, coordinates, field, options)[0];
+    }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+        if (!known || !(modulus[i] > program.escapeRadius * (1 + kRoundingMargin)))
+            points.add(i, coordinates);
+    return points;
+}
+
+}  // namespace
+
+void Ensemble::choose(std::uint64_t member, OrbitProgram& program) const {
+    Random random = Random::stream(seed, member);
+    if (list >= 0) program.lists[static_cast<std::size_t>(list)] = randomRoots(roots, random).roots;
+    for (const Range& range : ranges)
+        program.slice.origin[range.number] = random.uniform(range.from, range.to);
+    for (const Disc& disc : discs) {
+        double re = 0, im = 0;
+        do {
+            re = random.uniform(-1, 1);
+            im = random.uniform(-1, 1);
+        } while (re * re + im * im > 1);
+        program.slice.origin[disc.re] = disc.centreRe + disc.radius * re;
+        program.slice.origin[disc.im] = disc.centreIm + disc.radius * im;
+    }
+}
+
+bool countMembers(const OrbitProgram& program, std::uint64_t first, std::uint64_t members,
+                  int count, const double* const* coordinates, std::uint32_t* counts,
+                  const EvaluateOptions& options) {
+    const Ensemble& ensemble = *program.ensemble;
+    OrbitProgram member = program;
+    ensemble.choose(first, member);
+    const Points points = undecided(member, ensemble, count, coordinates, options);
+    if (points.index.empty()) return true;
+    const double* pointers[3] = {points.coordinates[0].data(), points.coordinates[1].data(),
+                                 points.coordinates[2].data()};
+    const bool solid = ensemble.solid;
+    for (std::uint64_t k = 0; k < members; ++k) {
+        if (options.stop && options.stop()) return false;
+        if (k > 0) ensemble.choose(first + k, member);
+        OrbitLanes lanes(member, static_cast<int>(points.index.size()), pointers, options);
+        const EscapeResult result = runEscape(member, lanes, solid, options);
+        for (std::size_t i = 0; i < points.index.size(); ++i)
+            counts[points.index[i]] += solid ? isSolid(member, result.squaredNorm[i])
+                                             : result.escaped[i] == 0;
+    }
+    return true;
+}
+
+double meanOf(std::uint32_t count, std::uint64_t members) {
+    if (members == 0) return std::numeric_limits<double>::quiet_NaN();
+    return static_cast<double>(count) / static_cast<double>(members);
+}
+
+double standardErrorOf(std::uint32_t count, std::uint64_t members) {
+    if (members < 2) return std::numeric_limits<double>::quiet_NaN();
+    const double mean = meanOf(count, members);
+    return std::sqrt(mean * (1 - mean) / static_cast<double>(members - 1));
+}
+
+}  // namespace versorium

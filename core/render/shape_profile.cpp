@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "render/shape_profile.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shape/bounds.h"
+
+namespace versorium {
+
+Expected<RadialProfile> shapeProfile(Binder& binder, const Scene& scene, double to, int radii,
+                                     Job& job) {
+    const MapInfo& info = mapOf(scene).info;
+    if (!info.field)
+        return Status::usage("the map \"" + scene.map +
+                             "\" has no shape; a shape-modulus map is expected");
+    Expected<OrbitProgram> program = binder.bind(scene, job);
+    if (!program) return program.status();
+    RadialOptions options{.dimensions = info.algebra == Algebra::complex ? 2 : 3, .radii = radii};
+    options.alpha = scene.parameters.at("alpha")[0];
+    options.beta = scene.parameters.at("beta")[0];
+    if (scene.parameters.at("as_printed")[0] != 0) options.beta = -options.beta;
+    options.escapeRadius = program->escapeRadius;
+    const std::vector<double>& shift = scene.parameters.at("shift");
+    const auto drop = scene.parameters.find("drop");
+    const double dropped = drop == scene.parameters.end() ? 3 : drop->second[0];
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < shift.size() && next < 3; ++k)
+        if (static_cast<double>(k) != dropped) options.shift[next++] = shift[k];
+    options.to = to;
+    if (!(to > 0)) {
+        const ShapeBounds bounds = boundsOf(*program->field, options.dimensions);
+        double square = 0;
+        for (int k = 0; k < options.dimensions; ++k) {
+            const auto i = static_cast<std::size_t>(k);
+            const double far = std::max(std::abs(bounds.low[i] + options.shift[i]),
+                                        std::abs(bounds.high[i] + options.shift[i]));
+            square += far * far;
+        }
+        options.to = 1.5 * std::sqrt(square);
+    }
+    return radialProfile(*program->field, options, job);
+}
+
+std::string profileCsv(const RadialProfile& profile) {
+    std::string text = "radius,mean_phi,low,high,modulus\n";
+    for (std::size_t i = 0; i < profile.radius.size(); ++i)
+        text += formatNumber(profile.radius[i]) + "," + formatNumber(profile.mean[i]) + "," +
+                formatNumber(profile.low[i]) + "," + formatNumber(profile.high[i]) + "," +
+                formatNumber(profile.modulus[i]) + "\n";
+    return text;
+}
+
+}  // namespace versorium
