@@ -89,6 +89,9 @@ void drawHead(StudioContext& context) {
         context.touch();
     }
     explain("diagram usual");
+    ImGui::SameLine(0, 8);
+    if (ImGui::SmallButton("fit")) fitDiagram(context);
+    explain("diagram fit");
 }
 
 }  // namespace
@@ -165,7 +168,8 @@ void drawDiagram(StudioContext& context) {
         list.AddLine({x, low.y}, {x, high.y}, ImGui::GetColorU32(ImGuiCol_TextDisabled, 0.8f), 1);
         text = formatNumber(valueAt(x), 7) + told(x);
         const float wide = ImGui::CalcTextSize(text.c_str()).x;
-        drawText(list, {std::min(x + 8, high.x - wide - 6), high.y - 1.5f * ImGui::GetFontSize()},
+        drawText(list,
+                 {std::min(x + 8, high.x - wide - 6), low.y + 4 + 1.5f * ImGui::GetFontSize()},
                  IM_COL32(231, 233, 238, 255), text);
     }
     if (study.diagram) {

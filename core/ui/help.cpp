@@ -68,6 +68,7 @@ constexpr Help kHelp[] = {
     {"diagram number", "The parameter that the diagram runs over."},
     {"diagram range", "The parameter at this end of the diagram. Drag, or double click to type."},
     {"diagram usual", "The range that the program proposes."},
+    {"diagram fit", "The part of that range in which the orbit stays bounded."},
     {"bifurcation diagram",
      "Click or drag to choose the parameter, wheel to zoom, drag with the right button to move."},
     {"iterations",

@@ -181,7 +181,6 @@ void sliceControls(StudioContext& context) {
         borderControls(context);
         ImGui::TreePop();
     }
-    drawStartControls(context);
 }
 
 // The values at the palette's ends, in units in which shifting and stretching are linear.
@@ -361,6 +360,11 @@ void drawInspector(StudioContext& context) {
     heading("Parameters");
     if (workspace.views[0].map != "planar") parameters(context);
     drawPlanarPanel(context);
+
+    if (showsParameters(workspace.view())) {
+        heading("Start of the orbits in the marked view");
+        drawStartControls(context);
+    }
 
     heading("Fixed points and cycles");
     drawCycleControls(context);

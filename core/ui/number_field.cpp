@@ -105,19 +105,17 @@ bool numberCell(StudioContext& context, const std::string& name, double& value,
                 const NumberLook& look, float width) {
     const double before = value;
     const std::array<double, 2> range = rangeOf(context, name, look);
-    const float button = ImGui::GetFontSize() * 1.15f;
+    const float button = ImGui::GetFontSize();
     ImGui::PushID(name.c_str());
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {3, 2});
     ImGui::SetNextItemWidth(width - button - 2);
     // What is 0 steps back, so that the formula stands out.
     if (value == 0) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(ImGuiCol_TextDisabled));
     const bool zero = value == 0;
-    exactField("##box", value, (range[1] - range[0]) / 4000, "%.5g");
+    exactField("##box", value, (range[1] - range[0]) / 4000, "%.4g");
     if (zero) ImGui::PopStyleColor();
     explainBy(look.help);
     ImGui::SameLine(0, 2);
     menuButton(context, name, value, look, button);
-    ImGui::PopStyleVar();
     ImGui::PopID();
     return value != before;
 }

@@ -33,9 +33,7 @@ void axisButton(StudioContext& context, const std::string& name, const char* lab
     const std::string sign = axisSign(context.workspace, name);
     if (!sign.empty())
         ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_HeaderActive));
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {1, 2});
     if (ImGui::Button((sign + label + "##" + name).c_str(), {width, 0})) nextAxis(context, name);
-    ImGui::PopStyleVar();
     if (!sign.empty()) ImGui::PopStyleColor();
     explain("coefficient axis");
 }
@@ -45,6 +43,7 @@ void drawRow(StudioContext& context, std::size_t term) {
     const MapInfo& info = mapOf(workspace.views[0]).info;
     const float letter = ImGui::GetFontSize();
     ImGui::TableNextRow();
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {2, 1});
     for (std::size_t part = 0; part < 2; ++part) {
         ImGui::TableNextColumn();
         const std::size_t k = part * kTerms + term;
@@ -52,7 +51,7 @@ void drawRow(StudioContext& context, std::size_t term) {
         const std::string name(parameter.name);
         double value = sharedNumber(workspace, name);
         const float wide = ImGui::GetContentRegionAvail().x;
-        axisButton(context, name, kShort[term], letter * 2.05f);
+        axisButton(context, name, kShort[term], letter * 1.9f);
         ImGui::SameLine(0, 2);
         const NumberLook look{.help = helpOf("coefficient"),
                               .low = parameter.low,
@@ -60,7 +59,7 @@ void drawRow(StudioContext& context, std::size_t term) {
                               .home = parameter.value[0],
                               .slider = false,
                               .animated = true};
-        if (numberCell(context, name, value, look, wide - letter * 4.5f - 6)) {
+        if (numberCell(context, name, value, look, wide - letter * 4.4f - 4)) {
             setSharedNumber(workspace, name, value);
             context.touch();
         }
@@ -71,6 +70,7 @@ void drawRow(StudioContext& context, std::size_t term) {
         else
             ImGui::TextUnformatted(kTermText[term]);
     }
+    ImGui::PopStyleVar();
 }
 
 bool beginTerms(const char* id) {
@@ -126,6 +126,7 @@ void drawPlanarPanel(StudioContext& context) {
         return;
     }
     drawPresets(context);
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {2, 1});
     if (beginTerms("coefficients")) {
         ImGui::TableNextRow();
         for (const char* head : {"g(x, y) = sum of", "h(x, y) = sum of"}) {
@@ -143,6 +144,7 @@ void drawPlanarPanel(StudioContext& context) {
         for (std::size_t term = 13; term < kTerms; ++term) drawRow(context, term);
         ImGui::EndTable();
     }
+    ImGui::PopStyleVar();
     drawText(context);
     if (hasComplexForm(context)) {
         if (ImGui::Button("as complex map")) showAsComplexMap(context);

@@ -327,9 +327,18 @@ void setDiagramNumber(Workspace& workspace, const std::string& number) {
 
 namespace {
 
+// From a critical point every attracting cycle of a polynomial is found; a map of the plane starts
+// where the orbit does.
+Scene diagramScene(const Workspace& workspace) {
+    Scene scene = orbitScene(workspace);
+    const MapKernels& map = mapOf(scene);
+    if (map.info.algebra != Algebra::plane && hasCriticalPoints(map)) scene.criticalStart = 0;
+    return scene;
+}
+
 // The values between which the bounded orbits stay.
 void fitHeight(const OrbitProgram& program, DiagramOptions& options) {
-    constexpr int kColumns = 40, kSteps = 260, kTransient = 160;
+    constexpr int kColumns = 120, kSteps = 220, kTransient = 160;
     double low = INFINITY, high = -INFINITY;
     for (int k = 0; k < kColumns; ++k) {
         const double at[3] = {options.left + (options.right - options.left) * (k + 0.5) / kColumns,
@@ -355,11 +364,8 @@ DiagramStudy& studyDiagram(StudioContext& context, Size size) {
     DiagramStudy& study = context.studies.diagram;
     const Workspace& workspace = context.workspace;
     const Workspace::Diagram wanted = diagramOf(workspace);
-    Scene scene = orbitScene(workspace);
+    const Scene scene = diagramScene(workspace);
     const MapKernels& map = mapOf(scene);
-    // From a critical point every attracting cycle of a polynomial is found; a map of the plane
-    // starts where the orbit does.
-    if (map.info.algebra != Algebra::plane && hasCriticalPoints(map)) scene.criticalStart = 0;
     StudyKey key{&map, scene.formula, {wanted.left, wanted.right}};
     key.numbers.push_back(size.width);
     key.numbers.push_back(size.height);
@@ -411,6 +417,28 @@ DiagramStudy& studyDiagram(StudioContext& context, Size size) {
     }
     if (study.diagram && study.filled < size.width) context.host.wake();
     return study;
+}
+
+void fitDiagram(StudioContext& context) {
+    constexpr int kColumns = 400, kSteps = 200;
+    Workspace& workspace = context.workspace;
+    const std::string number = diagramNumber(workspace);
+    const Workspace::Diagram usual = usualDiagram(workspace, number);
+    Job job(1);
+    const Expected<OrbitProgram> program =
+        programAlong(context.binder(), diagramScene(workspace), {{{number, 1.0}}}, job);
+    if (!program) return context.report(program.status());
+    const double step = (usual.right - usual.left) / kColumns;
+    double left = INFINITY, right = -INFINITY;
+    for (int k = 0; k < kColumns; ++k) {
+        const double at[3] = {usual.left + step * (k + 0.5), 0, 0};
+        if (orbitOf(*program, at, kSteps).size() <= kSteps) continue;
+        left = std::min(left, at[0]);
+        right = std::max(right, at[0]);
+    }
+    if (!(left <= right)) return context.say("The orbit escapes everywhere in this range");
+    workspace.diagram = {number, left - 2 * step, right + 2 * step};
+    context.touch();
 }
 
 }  // namespace versorium

@@ -100,6 +100,8 @@ DiagramStudy& studyDiagram(StudioContext& context, Size size);
 // Its number with a range: that of the number itself where it has none yet.
 Workspace::Diagram diagramOf(const Workspace& workspace);
 void setDiagramNumber(Workspace& workspace, const std::string& number);
+// As wide as the part of the usual range in which the orbit stays bounded.
+void fitDiagram(StudioContext& context);
 
 // Where the set of a parameter view starts: its own p*, or its critical point at the ring. Nothing
 // where the start is on an axis.

@@ -16,19 +16,23 @@ constexpr float kReach = 14;
 constexpr ImU32 kStable = IM_COL32(86, 180, 233, 255), kUnstable = IM_COL32(240, 140, 70, 255);
 constexpr ImU32 kCurve = IM_COL32(255, 255, 255, 235), kStart = IM_COL32(255, 222, 110, 255);
 
+// ImGui's lists have 16-bit indices: beyond this many vertices a window draws no more curves.
+constexpr int kMostVertices = 30000;
+
 void drawCurve(ImDrawList& list, const ViewPlane& plane, const Polyline& curve, ImU32 colour,
-               float width) {
+               float width, bool halo) {
+    // What the eye cannot tell apart need not be drawn.
+    constexpr float kStep = 1.5f;
     std::vector<ImVec2> points;
-    for (const PlanePoint& point : curve) {
-        const ImVec2 at = plane.at(point[0], point[1]);
-        // What the eye cannot tell apart need not be drawn.
-        if (points.empty() ||
-            std::abs(at.x - points.back().x) + std::abs(at.y - points.back().y) > 0.7f ||
-            &point == &curve.back())
+    for (std::size_t k = 0; k < curve.size(); ++k) {
+        const ImVec2 at = plane.at(curve[k][0], curve[k][1]);
+        if (points.empty() || k + 1 == curve.size() ||
+            std::abs(at.x - points.back().x) + std::abs(at.y - points.back().y) > kStep)
             points.push_back(at);
     }
     const int count = static_cast<int>(points.size());
-    list.AddPolyline(points.data(), count, kHalo, 0, width * 2.4f);
+    if (list.VtxBuffer.Size + 4 * count * (halo ? 2 : 1) > kMostVertices) return;
+    if (halo) list.AddPolyline(points.data(), count, kHalo, 0, width * 2.4f);
     list.AddPolyline(points.data(), count, colour, 0, width);
 }
 
@@ -117,7 +121,7 @@ void drawStudyMarks(StudioContext& context, int view, const ViewPlane& plane, Im
     if (workspace.study.criticalCurve && flat) {
         const CriticalSet& set = studyCritical(context, view);
         for (const Polyline& curve : set.curves)
-            drawCurve(list, plane, curve, kCurve, 1.3f * scale);
+            drawCurve(list, plane, curve, kCurve, 1.3f * scale, true);
         for (const PlanePoint& point : set.points) {
             const ImVec2 at = plane.at(point[0], point[1]);
             list.AddCircleFilled(at, 4.5f * scale, kHalo);
@@ -130,15 +134,17 @@ void drawStudyMarks(StudioContext& context, int view, const ViewPlane& plane, Im
             for (const SaddleManifolds& manifolds : study.manifolds) {
                 if (manifolds.stable)
                     for (const Polyline& curve : manifolds.stable->curves)
-                        drawCurve(list, plane, curve, kStable, 1.2f * scale);
+                        drawCurve(list, plane, curve, kStable, 1.2f * scale, false);
                 for (const Polyline& curve : manifolds.unstable.curves)
-                    drawCurve(list, plane, curve, kUnstable, 1.2f * scale);
+                    drawCurve(list, plane, curve, kUnstable, 1.2f * scale, false);
             }
         const double other = flat ? 0 : markerOf(workspace, static_cast<std::size_t>(view))[1];
         for (const PeriodicCycle& cycle : study.cycles)
-            for (const PlanePoint& point : cycle.points)
+            for (const PlanePoint& point : cycle.points) {
+                if (list.VtxBuffer.Size > kMostVertices + 8000) break;
                 drawCycleMark(list, plane.at(point[0], flat ? point[1] : other),
                               (cycle.period == 1 ? 5.5f : 4.0f) * scale, cycle.kind);
+            }
     }
     if (const auto at = placeOfCompared(context, view, plane)) {
         drawMark(list, *at, 7 * scale, MarkShape::square, pinColour(1));
