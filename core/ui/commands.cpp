@@ -8,6 +8,7 @@
 #include "ui/context.h"
 #include "ui/help.h"
 #include "ui/keys.h"
+#include "ui/planar_change.h"
 
 namespace versorium {
 namespace {
@@ -144,6 +145,20 @@ std::vector<Command> commandsOf(StudioContext& context) {
         {"The orbit as a time series", "", [c] { c->strip = StudioContext::Strip::series; }},
         {"The orbit as a web, where the map has a real line", "",
          [c] { c->strip = StudioContext::Strip::web; }},
+        {"Bifurcation diagram: the attractor against one parameter", "",
+         [c] { c->strip = StudioContext::Strip::diagram; }},
+        {"Fixed points and cycles, or none", "",
+         [c] { c->workspace.study.cycles = !c->workspace.study.cycles, c->touch(); }},
+        {"Manifolds of saddles, or none", "",
+         [c] {
+             c->workspace.study.manifolds = !c->workspace.study.manifolds;
+             c->workspace.study.cycles |= c->workspace.study.manifolds;
+             c->touch();
+         }},
+        {"Critical curve det J = 0, or none", "C",
+         [c] { c->workspace.study.criticalCurve = !c->workspace.study.criticalCurve, c->touch(); }},
+        {"The same pictures as a complex map", "", [c] { showAsComplexMap(*c); }},
+        {"The same pictures as a planar system", "", [c] { showAsPlanarSystem(*c); }},
         {"Play or pause the animation", "Space",
          [c] {
              if (c->animation.number.empty())
@@ -215,6 +230,7 @@ void handleKeys(StudioContext& context) {
     if (pressed(ImGuiKey_Backspace, false))
         run(shifted(ImGuiKey_Backspace) ? "Shift Backspace" : "Backspace");
     if (pressed(ImGuiKey_A, false)) run("A");
+    if (pressed(ImGuiKey_C, false)) run("C");
     if (pressed(ImGuiKey_F, false)) run(shifted(ImGuiKey_F) ? "Shift F" : "F");
     if (pressed(ImGuiKey_G, false)) run("G");
     if (pressed(ImGuiKey_N, false)) run("N");
@@ -337,6 +353,7 @@ void drawKeys(StudioContext& context) {
             row("right drag", "Zoom to a box");
             row("Ctrl click", "Put the point here");
             row("Shift click", "Pin these parameters");
+            row("Alt drag", "The second start; p* beside the critical curve");
             ImGui::EndTable();
         }
         if (ImGui::IsKeyPressed(ImGuiKey_Escape)) context.keysOpen = false;

@@ -19,6 +19,7 @@
 #include "ui/host.h"
 #include "ui/live_picture.h"
 #include "ui/motion.h"
+#include "ui/studies.h"
 #include "ui/theme.h"
 #include "ui/workspace.h"
 
@@ -40,7 +41,7 @@ struct ViewState {
     Visits visits;
     std::optional<Glide> glide;  // on its way; the workspace holds where it is now
     ImVec2 low{}, high{};        // its rectangle in the window
-    enum class Drag { none, pan, marker, box, pinch } drag = Drag::none;
+    enum class Drag { none, pan, marker, box, pinch, start, compared } drag = Drag::none;
     ImVec2 dragFrom{};
     double pinchedAt = -100;  // when two fingers moved it last
 };
@@ -94,7 +95,8 @@ struct StudioContext {
     std::string notice;    // the last thing that was done or went wrong
     double noticeAt = -100;
     Probe probe;
-    enum class Strip { series, web, motion } strip = Strip::series;
+    Studies studies;
+    enum class Strip { series, web, diagram, motion } strip = Strip::series;
     int paletteStop = -1;  // the chosen stop of an own palette
     int orbitShown = 0;    // the step that the table has been scrolled to
     // An animated number: it runs between its ends until it is stopped, eased to and fro, or
@@ -182,6 +184,7 @@ struct StudioContext {
     // Where starting points are measured; null while a shape needs a grid that takes time to make.
     const OrbitProgram* program(int view);
     const OrbitProgram* orbitProgram();
+    Binder& binder() { return binder_; }
     // z_0 … z_orbitSteps of the workspace's point; empty where there is no program.
     const std::vector<std::vector<double>>& orbit();
 

@@ -259,6 +259,69 @@ void collectSlice(StudioContext& context, Collector& all) {
                        else
                            start.reset();
                    });
+    if (const auto start = startOf(context, context.workspace.focused);
+        start && !scene.criticalStart) {
+        const int view = context.workspace.focused;
+        for (std::size_t k = 0; k < start->size(); ++k)
+            all.number("start " + std::to_string(k),
+                       "p*, " + stateComponent(map.info, static_cast<int>(k)), (*start)[k], 0.01,
+                       -1e6, 1e6, [c, view, k, start](double value) {
+                           std::vector<double> moved = *start;
+                           if (moved[k] == value) return;
+                           moved[k] = value;
+                           setStart(*c, view, std::move(moved));
+                       });
+        if (map.dimension == 2)
+            all.command("nearest", "p* to the nearest critical point", "", [c, view, start] {
+                startAtNearest(*c, view, {(*start)[0], (*start)[1]});
+            });
+    }
+}
+
+void collectStudies(StudioContext& context, Collector& all) {
+    all.begin("Cycles, critical curve, diagram");
+    StudioContext* c = &context;
+    Workspace& workspace = context.workspace;
+    const MapKernels& map = mapOf(workspace.views[0]);
+    if (map.dimension == 2)
+        all.toggle("critical curve", "critical curve det J = 0", workspace.study.criticalCurve,
+                   [c](bool on) { c->workspace.study.criticalCurve = on; });
+    if (map.dimension <= 2) {
+        all.toggle("cycles", "fixed points and cycles", workspace.study.cycles,
+                   [c](bool on) { c->workspace.study.cycles = on; });
+        all.number("most period", "period of cycles, at most", workspace.study.mostPeriod, 1, 1,
+                   kMostShownPeriod,
+                   [c](double value) { c->workspace.study.mostPeriod = static_cast<int>(value); });
+    }
+    if (map.dimension == 2)
+        all.toggle("manifolds", "manifolds of saddles", workspace.study.manifolds,
+                   [c](bool on) { c->workspace.study.manifolds = on; });
+    all.toggle("compared", "second start to compare", !workspace.compared.empty(), [c](bool on) {
+        if (on != c->workspace.compared.empty()) return;
+        c->workspace.compared = on ? c->workspace.point : std::vector<double>();
+    });
+    for (std::size_t k = 0; k < workspace.compared.size(); ++k)
+        all.number("second " + std::to_string(k),
+                   "second start " + stateComponent(map.info, static_cast<int>(k)),
+                   workspace.compared[k], 0.01, -1e6, 1e6,
+                   [c, k](double value) { c->workspace.compared[k] = value; });
+    if (map.parameters == 0) return;
+    std::vector<std::string> names;
+    for (int k = 0; k < map.parameters; ++k) names.push_back(parameterComponent(map.info, k));
+    const Workspace::Diagram diagram = diagramOf(workspace);
+    all.choice("diagram number", "parameter of the bifurcation diagram", diagram.number, names,
+               [c](const std::string& name) { setDiagramNumber(c->workspace, name); });
+    const double step = (diagram.right - diagram.left) / 40;
+    for (const bool left : {true, false})
+        all.number(left ? "diagram from" : "diagram to",
+                   left ? "bifurcation diagram from" : "bifurcation diagram to",
+                   left ? diagram.left : diagram.right, step, -1e6, 1e6,
+                   [c, diagram, left](double value) {
+                       Workspace::Diagram next = diagram;
+                       (left ? next.left : next.right) = value;
+                       const bool same = next == diagram;
+                       if (!same && next.left < next.right) c->workspace.diagram = next;
+                   });
 }
 
 void collectGradient(Collector& all, const std::string& name, Gradient& gradient) {
@@ -459,6 +522,7 @@ std::vector<Entry> entriesOf(StudioContext& context) {
     collectParameters(context, all);
     collectOrbit(context, all);
     collectSlice(context, all);
+    collectStudies(context, all);
     collectColours(context, all);
     collectLayers(context, all);
     collectMotion(context, all);

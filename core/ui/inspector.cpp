@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "maps/critical.h"
 #include "render/colouring.h"
 #include "ui/context.h"
 #include "ui/help.h"
@@ -182,17 +181,6 @@ void sliceControls(StudioContext& context) {
         borderControls(context);
         ImGui::TreePop();
     }
-    if (hasCriticalPoints(mapOf(scene)) && showsParameters(scene)) {
-        bool critical = scene.criticalStart.has_value();
-        if (ImGui::Checkbox("start at the critical point", &critical)) {
-            if (critical)
-                scene.criticalStart = 0;
-            else
-                scene.criticalStart.reset();
-            context.touch();
-        }
-        explain("start at the critical point");
-    }
 }
 
 // The values at the palette's ends, in units in which shifting and stretching are linear.
@@ -370,7 +358,16 @@ void drawInspector(StudioContext& context) {
     explain("export dialog");
 
     heading("Parameters");
-    parameters(context);
+    if (workspace.views[0].map != "planar") parameters(context);
+    drawPlanarPanel(context);
+
+    if (showsParameters(workspace.view())) {
+        heading("Start of the orbits in the marked view");
+        drawStartControls(context);
+    }
+
+    heading("Fixed points and cycles");
+    drawCycleControls(context);
 
     heading("Under the pointer");
     drawProbe(context);
@@ -402,6 +399,8 @@ void drawInspector(StudioContext& context) {
     }
 
     if (choose("escape test", "escape test", scene.escapeTest, {"first", "last"})) context.touch();
+
+    drawComparedControls(context);
 
     heading(workspace.views.size() > 1 ? "Slice of the marked view" : "Slice");
     sliceControls(context);

@@ -54,6 +54,22 @@ void drawMenu(StudioContext& context, const std::string& name, double& value,
         explain("reset");
     }
     if (look.animated) {
+        // Any two numbers of a map are the axes of a set, two clicks away.
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted("axis of a set:");
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            ImGui::SameLine();
+            if (ImGui::Button(axis == 0 ? "→ across" : "↑ up")) {
+                makeAxis(context.workspace, axis, name);
+                context.studies.newestAxis = static_cast<int>(axis);
+                context.touch();
+            }
+            explain("make axis");
+        }
+        const bool runs = context.animation.running && context.animation.number == name;
+        if (ImGui::Button(runs ? "Stop" : "Animate"))
+            toggleAnimation(context, name, range[0], range[1]);
+        explain("animate");
         double seconds = context.animation.seconds;
         if (exactField("seconds", seconds, 0.05, "%.3g") && seconds >= 0.5 && seconds <= 3600)
             context.animation.seconds = seconds;
@@ -64,14 +80,50 @@ void drawMenu(StudioContext& context, const std::string& name, double& value,
     ImGui::PopItemWidth();
 }
 
+std::array<double, 2> rangeOf(const StudioContext& context, const std::string& name,
+                              const NumberLook& look) {
+    const auto own = context.workspace.ranges.find(name);
+    return own != context.workspace.ranges.end() ? own->second
+                                                 : std::array<double, 2>{look.low, look.high};
+}
+
+bool menuButton(StudioContext& context, const std::string& name, double& value,
+                const NumberLook& look, float width) {
+    const double before = value;
+    if (ImGui::Button("…", {width, 0})) ImGui::OpenPopup("menu");
+    explain("number menu");
+    if (ImGui::BeginPopup("menu")) {
+        drawMenu(context, name, value, look, rangeOf(context, name, look));
+        ImGui::EndPopup();
+    }
+    return value != before;
+}
+
 }  // namespace
+
+bool numberCell(StudioContext& context, const std::string& name, double& value,
+                const NumberLook& look, float width) {
+    const double before = value;
+    const std::array<double, 2> range = rangeOf(context, name, look);
+    const float button = ImGui::GetFontSize();
+    ImGui::PushID(name.c_str());
+    ImGui::SetNextItemWidth(width - button - 2);
+    // What is 0 steps back, so that the formula stands out.
+    if (value == 0) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(ImGuiCol_TextDisabled));
+    const bool zero = value == 0;
+    exactField("##box", value, (range[1] - range[0]) / 4000, "%.4g");
+    if (zero) ImGui::PopStyleColor();
+    explainBy(look.help);
+    ImGui::SameLine(0, 2);
+    menuButton(context, name, value, look, button);
+    ImGui::PopID();
+    return value != before;
+}
 
 bool numberField(StudioContext& context, const std::string& name, const std::string& label,
                  double& value, const NumberLook& look) {
     const double before = value;
-    std::array<double, 2> range{look.low, look.high};
-    if (const auto own = context.workspace.ranges.find(name); own != context.workspace.ranges.end())
-        range = own->second;
+    const std::array<double, 2> range = rangeOf(context, name, look);
     const float letter = ImGui::GetFontSize(), gap = 4 * context.scale;
     const float box = letter * 5.2f, button = letter * 1.5f;
     const float buttons = (look.animated ? 2 : 1) * (button + gap);
@@ -110,12 +162,7 @@ bool numberField(StudioContext& context, const std::string& name, const std::str
     }
     ImGui::SameLine(0, gap);
     ImGui::SetCursorPosX(right - button);
-    if (ImGui::Button("…", {button, 0})) ImGui::OpenPopup("menu");
-    explain("number menu");
-    if (ImGui::BeginPopup("menu")) {
-        drawMenu(context, name, value, look, range);
-        ImGui::EndPopup();
-    }
+    menuButton(context, name, value, look, button);
     ImGui::PopID();
     if (look.whole) value = std::round(value);
     return value != before;

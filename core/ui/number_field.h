@@ -26,4 +26,9 @@ struct NumberLook {
 bool numberField(StudioContext& context, const std::string& name, const std::string& label,
                  double& value, const NumberLook& look);
 
+// The same in as little room as a table's cell: a field to drag or to type in, with the menu behind
+// the button beside it. `width` of both together.
+bool numberCell(StudioContext& context, const std::string& name, double& value,
+                const NumberLook& look, float width);
+
 }  // namespace versorium

@@ -48,13 +48,22 @@ Status openDocument(StudioContext& context, const std::string& name, const Docum
         Expected<PlateDocument> plate = plateFromDocument(document);
         if (!plate) return plate.status();
         const auto& panels = plate->plate.panels;
-        const auto first = std::find_if(panels.begin(), panels.end(), [](const PlatePanel& panel) {
-            return panel.kind == PanelKind::scene;
-        });
+        const auto ofKind = [&](PanelKind kind) {
+            return std::find_if(panels.begin(), panels.end(),
+                                [&](const PlatePanel& panel) { return panel.kind == kind; });
+        };
+        auto first = ofKind(PanelKind::scene);
+        if (first == panels.end()) first = ofKind(PanelKind::diagram);
         if (first == panels.end()) return Status::data("this plate has no scene, only plots");
         Expected<Scene> scene = sceneWithAssets(first->scene, plate->assets);
         if (!scene) return scene.status();
-        context.open(workspaceOf(*scene));
+        Workspace workspace = workspaceOf(*scene);
+        if (first->kind == PanelKind::diagram) {
+            const DiagramPlot& plot = first->diagram;
+            workspace.diagram = {plot.parameter, plot.from, plot.to};
+            context.strip = StudioContext::Strip::diagram;
+        }
+        context.open(std::move(workspace));
         context.say("Opened panel " + first->name + " of the plate " + name);
         return {};
     }

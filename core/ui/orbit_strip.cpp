@@ -52,6 +52,7 @@ void drawTabs(StudioContext& context, bool hasWeb) {
     };
     tab("series", StudioContext::Strip::series);
     if (hasWeb) tab("web", StudioContext::Strip::web);
+    tab("diagram", StudioContext::Strip::diagram);
     tab("motion", StudioContext::Strip::motion);
     ImGui::SameLine(0, 12);
 }
@@ -136,12 +137,26 @@ void drawTable(StudioContext& context, const MapInfo& info, float width) {
     ImGui::EndTable();
 }
 
+void drawDashed(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 colour) {
+    const float length = std::hypot(to.x - from.x, to.y - from.y), dash = 5;
+    for (float at = 0; at < length; at += 2 * dash) {
+        const float begin = at / length, end = std::min(1.0f, (at + dash) / length);
+        list.AddLine({from.x + begin * (to.x - from.x), from.y + begin * (to.y - from.y)},
+                     {from.x + end * (to.x - from.x), from.y + end * (to.y - from.y)}, colour,
+                     1.2f);
+    }
+}
+
 void drawSeries(StudioContext& context, const MapInfo& info, ImVec2 low, ImVec2 high) {
     const auto& orbit = context.orbit();
     const Workspace& workspace = context.workspace;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     double top = 1e-300;
     for (const auto& row : orbit)
+        for (double value : row)
+            if (std::isfinite(value)) top = std::max(top, std::abs(value));
+    const auto& second = comparedOrbit(context);
+    for (const auto& row : second)
         for (double value : row)
             if (std::isfinite(value)) top = std::max(top, std::abs(value));
     top = std::min(top, kMostShown);
@@ -171,12 +186,26 @@ void drawSeries(StudioContext& context, const MapInfo& info, ImVec2 low, ImVec2 
             list.AddCircleFilled(points[n], static_cast<int>(n) == workspace.orbitAt ? 4.5f : 2.5f,
                                  colour);
     }
+    // The second orbit: dashed, in the same colours, and with open circles.
+    for (int k = 0; k < dimension && !second.empty(); ++k) {
+        ImVec2 before{};
+        for (std::size_t n = 0; n < second.size(); ++n) {
+            const double value = second[n][static_cast<std::size_t>(k)];
+            if (!std::isfinite(value)) break;
+            const double y = middle - std::clamp(value / top, -2.0, 2.0) * (0.46 * tall);
+            const ImVec2 here{across(static_cast<int>(n)), static_cast<float>(y)};
+            if (n > 0) drawDashed(list, before, here, componentColour(k));
+            list.AddCircle(here, 3, componentColour(k), 0, 1.2f);
+            before = here;
+        }
+    }
     ImVec2 at{low.x + 8, low.y + 4};
     for (int k = 0; k < dimension; ++k) {
         const std::string name = stateComponent(info, k);
         drawText(list, at, componentColour(k), name);
         at.x += ImGui::CalcTextSize(name.c_str()).x + ImGui::GetFontSize();
     }
+    if (!second.empty()) drawText(list, at, ImGui::GetColorU32(ImGuiCol_Text), "dashed: second");
 }
 
 void drawWeb(StudioContext& context, const OrbitProgram& program, double second, ImVec2 low,
@@ -257,6 +286,11 @@ void drawOrbitStrip(StudioContext& context) {
     const MapInfo& info = mapOf(scene).info;
     if (!program || context.strip == StudioContext::Strip::motion) drawTabs(context, false);
     if (context.strip == StudioContext::Strip::motion) return drawTimeline(context);
+    if (program && context.strip == StudioContext::Strip::diagram) {
+        const double other = scene.slice.centre.size() > 1 ? scene.slice.centre[1] : 0;
+        drawTabs(context, keepsRealLine(*program, program->map->dimension == 1 ? other : 0));
+        return drawDiagram(context);
+    }
     if (!program) {
         ImGui::TextDisabled("The shape is being made into a distance grid …");
         return;
@@ -265,7 +299,8 @@ void drawOrbitStrip(StudioContext& context) {
     const double second =
         program->map->dimension == 1 && scene.slice.centre.size() > 1 ? scene.slice.centre[1] : 0;
     const bool hasWeb = keepsRealLine(*program, second);
-    if (!hasWeb) context.strip = StudioContext::Strip::series;
+    if (!hasWeb && context.strip == StudioContext::Strip::web)
+        context.strip = StudioContext::Strip::series;
     drawTabs(context, hasWeb);
     drawHead(context, info);
     const ImVec2 low = ImGui::GetCursorScreenPos();

@@ -190,7 +190,8 @@ void Studio::State::drawRenderer(float right) {
 void Studio::State::drawWide(ImVec2 low, ImVec2 size) {
     const float bar = ImGui::GetFrameHeightWithSpacing();
     const float inspector = kInspector * context.scale;
-    const bool web = context.strip == StudioContext::Strip::web;
+    const bool web = context.strip == StudioContext::Strip::web ||
+                     context.strip == StudioContext::Strip::diagram;
     const float strip =
         std::min((web ? kWebStrip : kStrip) * context.scale, size.y * (web ? 0.45f : 0.25f));
     const float left = size.x - inspector - 8;
@@ -372,6 +373,7 @@ void Studio::contextLost() {
     state_->context.gpu.forget();
     for (ViewState& view : state_->context.views) view.picture.contextLost();
     state_->context.gallery.contextLost();
+    state_->context.studies.contextLost();
 }
 
 }  // namespace versorium

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // A view: the picture, what lies on it, and the hand that moves it. Drag pans; the ring is dragged;
 // the wheel zooms at the pointer; a box drawn with the right button is zoomed to; a double click
-// goes in; Ctrl and a click set the point; Shift and a click pin the parameters.
+// goes in; Ctrl and a click set the point; Shift and a click pin the parameters; Alt and a drag set
+// the second start, or p* beside the critical curve.
 #include <algorithm>
 #include <cmath>
 
 #include "ui/context.h"
 #include "ui/marks.h"
+#include "ui/study_marks.h"
 #include "ui/view_plane.h"
 
 namespace versorium {
@@ -87,6 +89,8 @@ void handlePointer(StudioContext& context, int view, const ViewPlane& plane, boo
                        plane.v(mouse.y));
             context.touch();
             state.drag = ViewState::Drag::marker;
+        } else if (takeStudyMark(context, view, plane, mouse, io.KeyAlt)) {
+            // It follows the pointer.
         } else {
             const bool caught = places ? place > 0 : near(mouse, ring, kReach * context.scale);
             state.drag = caught ? ViewState::Drag::marker : ViewState::Drag::pan;
@@ -117,6 +121,7 @@ void handlePointer(StudioContext& context, int view, const ViewPlane& plane, boo
         return;
     }
     if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0) return;
+    dragStudyMark(context, view, plane, mouse);
     if (state.drag == ViewState::Drag::marker) {
         moveMarker(workspace, static_cast<std::size_t>(view), plane.u(mouse.x), plane.v(mouse.y));
         context.touch();
@@ -189,6 +194,7 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
                      pinColour(static_cast<int>(k)));
         }
     }
+    drawStudyMarks(context, view, plane, list);
     const auto marker = markerOf(workspace, static_cast<std::size_t>(view));
     if (workspace.analysis()) drawPlaces(context, view, plane, list);
     if (!workspace.analysis() || view > 0)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "maps/critical.h"
 
@@ -360,6 +361,34 @@ std::vector<std::string> axisNames(const Scene& scene) {
     for (int k = 0; k < map.dimension; ++k) names.push_back(stateComponent(map.info, k));
     for (int k = 0; k < map.parameters; ++k) names.push_back(parameterComponent(map.info, k));
     return names;
+}
+
+int parameterViewOf(const Workspace& workspace) {
+    if (showsParameters(workspace.view())) return workspace.focused;
+    for (std::size_t k = 0; k < workspace.views.size(); ++k)
+        if (showsParameters(workspace.views[k])) return static_cast<int>(k);
+    return -1;
+}
+
+void makeAxis(Workspace& workspace, std::size_t axis, const std::string& name) {
+    int view = parameterViewOf(workspace);
+    if (view < 0) {
+        view = 0;
+        Scene& first = workspace.views[0];
+        const Scene before = first;
+        first = parameterView(before);
+        if (first.slice.axes.size() < 2) first.slice = before.slice;
+        // Its starting point stands still now, where it was.
+        first.start = workspace.point;
+    }
+    const int focused = std::exchange(workspace.focused, view);
+    setAxis(workspace, axis, name);
+    workspace.focused = focused;
+    if (!workspace.analysis()) return;
+    const SliceSpec& slice = workspace.views[0].slice;
+    for (const std::string& other : axisNames(workspace.views[0]))
+        if (!isState(workspace.views[0], other) && !isOn(slice, other))
+            setSharedNumber(workspace, other, sharedNumber(workspace, other));
 }
 
 void setAxis(Workspace& workspace, std::size_t axis, const std::string& name) {

@@ -23,6 +23,7 @@ inline constexpr int kAnalysisViews = 5;
 inline constexpr int kMostPins = 4;
 inline constexpr int kMostOrbitSteps = 1000;
 inline constexpr std::size_t kMostRanges = 256;
+inline constexpr int kMostShownPeriod = 12;
 // What a view shows from bottom to top: as deep as double precision goes, and as far.
 inline constexpr double kLeastHeight = 1e-13, kMostHeight = 1e6;
 
@@ -43,6 +44,22 @@ struct Workspace {
     // A motion of the numbers that all views share, and of what is the moving view's own.
     Motion motion;
     int motionView = 0;
+    // The second orbit of the time series starts here; none where it is empty.
+    std::vector<double> compared;
+    // What is drawn over planes of starting points (core/dynamics).
+    struct Study {
+        bool cycles = false;  // fixed points and cycles
+        int mostPeriod = 3;   // 1 … kMostShownPeriod
+        bool manifolds = false;
+        bool criticalCurve = false;
+        friend bool operator==(const Study&, const Study&) = default;
+    } study;
+    // The bifurcation diagram: empty for a number of the program's own choice.
+    struct Diagram {
+        std::string number;
+        double left = 0, right = 1;  // of the number; left < right
+        friend bool operator==(const Diagram&, const Diagram&) = default;
+    } diagram;
 
     bool analysis() const { return views.size() == kAnalysisViews; }
     // The view whose numbers are shown and set: the marked one of an analysis, never its first.
@@ -100,6 +117,12 @@ std::vector<std::string> axisNames(const Scene& scene);
 // Lets an axis of the focused view stand for a number. The same number on both axes would be a
 // line: the axes change places instead.
 void setAxis(Workspace& workspace, std::size_t axis, const std::string& name);
+
+// The view of parameters that is meant where one is: the marked one, else the first; -1 for none.
+int parameterViewOf(const Workspace& workspace);
+// An axis of that view, or of the first view, which becomes one of parameters where there is none,
+// stands for a number from now on. Places of an analysis keep their own numbers on its axes only.
+void makeAxis(Workspace& workspace, std::size_t axis, const std::string& name);
 
 // A scene whose points are the starting points around `workspace.point`; for orbits and probes.
 Scene orbitScene(const Workspace& workspace);

@@ -81,6 +81,16 @@ Json workspaceToJson(const Workspace& workspace) {
         motionToJson(workspace.motion, json["motion"]);
         json["motion"]["view"] = workspace.motionView;
     }
+    if (!workspace.compared.empty()) json["compared"] = workspace.compared;
+    if (const Workspace::Study& study = workspace.study; !(study == Workspace::Study{}))
+        json["study"] = {{"cycles", study.cycles},
+                         {"most_period", study.mostPeriod},
+                         {"manifolds", study.manifolds},
+                         {"critical_curve", study.criticalCurve}};
+    // A formula that is typed may have taken the number away.
+    if (numberNamed(workspace.views[0], workspace.diagram.number))
+        json["diagram"] = {{"number", workspace.diagram.number},
+                           {"range", {workspace.diagram.left, workspace.diagram.right}}};
     for (const auto& [name, range] : workspace.ranges) json["ranges"][name] = {range[0], range[1]};
     return json;
 }
@@ -135,6 +145,29 @@ Expected<Workspace> workspaceFromJson(const Json& json) {
         one.integer("view", workspace.motionView, 0, static_cast<int>(views->size()) - 1);
         const Scene& moving = workspace.views[static_cast<std::size_t>(workspace.motionView)];
         if (Status status = readMotion(one, moving, workspace.motion); !status.ok()) return status;
+        if (Status status = one.finish(); !status.ok()) return status;
+    }
+    if (reader.child("compared"))
+        reader.numbers("compared", workspace.compared, dimension, dimension);
+    if (const Json* study = reader.child("study")) {
+        ObjectReader one(*study, "study");
+        one.boolean("cycles", workspace.study.cycles)
+            .integer("most_period", workspace.study.mostPeriod, 1, kMostShownPeriod)
+            .boolean("manifolds", workspace.study.manifolds)
+            .boolean("critical_curve", workspace.study.criticalCurve);
+        if (Status status = one.finish(); !status.ok()) return status;
+    }
+    if (const Json* diagram = reader.child("diagram")) {
+        ObjectReader one(*diagram, "diagram");
+        std::vector<double> range;
+        one.text("number", workspace.diagram.number).numbers("range", range, 2, 2);
+        const auto number = numberNamed(workspace.views[0], workspace.diagram.number);
+        if (!number || number->kind != NumberKind::parameter)
+            one.fail("number", "must be the name of a parameter of the map");
+        if (range.size() != 2 || !(range[0] < range[1]))
+            one.fail("range", "must be two numbers, the lower one first");
+        else
+            workspace.diagram.left = range[0], workspace.diagram.right = range[1];
         if (Status status = one.finish(); !status.ok()) return status;
     }
     if (const Json* ranges = reader.child("ranges")) {

@@ -58,6 +58,13 @@ TEST(Help, EveryControlOfTheInspectorExplainsItself) {
     expectHelpEverywhere(gui, inspector, "gradient");
     context.newMap("logistic");
     expectHelpEverywhere(gui, inspector, "logistic");
+    context.newMap("planar");
+    context.mark(0);
+    context.workspace.study = {true, 3, true, true};
+    context.workspace.compared = {0.5, 0.5};
+    context.touch();
+    context.record();
+    expectHelpEverywhere(gui, inspector, "planar");
     context.newMap("shape-modulus");
     context.workspace.view().layers.resize(2);
     context.touch();
@@ -181,6 +188,8 @@ TEST(Help, EveryControlOfTheOrbitStripExplainsItself) {
     context.newMap("logistic");
     context.strip = StudioContext::Strip::web;
     expectHelpEverywhere(gui, strip, "web");
+    context.strip = StudioContext::Strip::diagram;
+    expectHelpEverywhere(gui, strip, "diagram");
     context.setKey();
     context.player.key = 0;
     expectHelpEverywhere(gui, strip, "motion");
