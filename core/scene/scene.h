@@ -74,7 +74,7 @@ struct Colouring {
     std::string outline = "none";     // "membership", "solid" or "none"
     std::string outlineColour = "#ffffff";
     double outlineWidth = 1;  // in line widths of the medium
-    std::vector<double> contours;  // levels of `field` along which the same line runs
+    std::vector<double> contours = {};  // levels of `field` along which the same line runs
     friend bool operator==(const Colouring&, const Colouring&) = default;
 };
 
