@@ -22,8 +22,8 @@ struct Points {
 };
 
 // |f| does not depend on the direction p: where it is beyond the escape radius for one member's
-// roots, the orbit escapes at step 1 for every member. The modulus is the same but for rounding, for
-// which there is a margin.
+// roots, the orbit escapes at step 1 for every member. The modulus is the same but for rounding,
+// for which there is a margin.
 constexpr double kRoundingMargin = 1e-9;
 
 Points undecided(const OrbitProgram& program, const Ensemble& ensemble, int count,
@@ -78,8 +78,8 @@ bool countMembers(const OrbitProgram& program, std::uint64_t first, std::uint64_
         OrbitLanes lanes(member, static_cast<int>(points.index.size()), pointers, options);
         const EscapeResult result = runEscape(member, lanes, solid, options);
         for (std::size_t i = 0; i < points.index.size(); ++i)
-            counts[points.index[i]] += solid ? isSolid(member, result.squaredNorm[i])
-                                             : result.escaped[i] == 0;
+            counts[points.index[i]] +=
+                solid ? isSolid(member, result.squaredNorm[i]) : result.escaped[i] == 0;
     }
     return true;
 }

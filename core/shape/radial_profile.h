@@ -30,12 +30,12 @@ struct RadialProfile {
     std::vector<double> modulus;  // r̂ of the mean
     // How fast φ can change: 1 for analytic shapes; of a grid, as much as between its nodes.
     double slope = 1;
-    // Orbits that start within `capture` stay within it: r̂ <= capture on that ball. The largest such
-    // radius among those above, at most the escape radius; 0 where none is found.
+    // Orbits that start within `capture` stay within it: r̂ <= capture on that ball. The largest
+    // such radius among those above, at most the escape radius; 0 where none is found.
     double capture = 0;
     // Of the plane: orbits that start beyond `escape` leave sooner or later, since r̂ > r from there
-    // to the escape radius. It is the escape radius itself where nothing less is sure, and always in
-    // space, where φ does not see the component that is dropped.
+    // to the escape radius. It is the escape radius itself where nothing less is sure, and always
+    // in space, where φ does not see the component that is dropped.
     double escape = 20;
 };
 

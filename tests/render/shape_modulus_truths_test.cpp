@@ -175,9 +175,8 @@ TEST(ShapeModulusTruths, CertainRadiiHoldForEveryDirection) {
     std::vector<std::vector<double>> captured, escaping;
     for (int k = 0; k < 100; ++k) {
         const double angle = 2 * M_PI * k / 100;
-        captured.push_back(
-            {profile->capture * std::cos(angle) * 0.999999, profile->capture * std::sin(angle) *
-                                                                0.999999});
+        captured.push_back({profile->capture * std::cos(angle) * 0.999999,
+                            profile->capture * std::sin(angle) * 0.999999});
         escaping.push_back({profile->escape * std::cos(angle) * 1.000001,
                             profile->escape * std::sin(angle) * 1.000001});
     }

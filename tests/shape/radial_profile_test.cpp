@@ -26,8 +26,7 @@ TEST(RadialProfile, OfADiscAndASphereIsTheRadiusLessTheirs) {
     for (std::size_t i = 0; i < disc.radius.size(); ++i) {
         EXPECT_NEAR(disc.mean[i], disc.radius[i] - 0.7, 1e-12);
         EXPECT_NEAR(ball.mean[i], ball.radius[i] - 0.7, 1e-12);
-        EXPECT_NEAR(disc.modulus[i], std::exp(8 * (disc.radius[i] - 0.7)),
-                    1e-11 * disc.modulus[i]);
+        EXPECT_NEAR(disc.modulus[i], std::exp(8 * (disc.radius[i] - 0.7)), 1e-11 * disc.modulus[i]);
     }
 }
 
