@@ -20,6 +20,7 @@ struct RadialOptions {
     double escapeRadius = 20;
     double to = 2;    // the largest radius
     int radii = 257;  // from 0 to `to`, evenly
+    bool outward = true;  // whether `escape` is looked for
     int points = 0;   // on each circle or sphere; 0: 4096 and 16384
 };
 
