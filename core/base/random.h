@@ -11,8 +11,8 @@ class Random {
   public:
     explicit Random(std::uint64_t seed) : state_(seed) {}
 
-    // The index-th of many independent sequences under one seed: members of an ensemble can be drawn
-    // in any order.
+    // The index-th of many independent sequences under one seed: members of an ensemble can be
+    // drawn in any order.
     static Random stream(std::uint64_t seed, std::uint64_t index) {
         const std::uint64_t base = Random(seed).next();
         return Random(Random(base + index * 0xd1342543de82ef95ULL).next());

@@ -91,8 +91,8 @@ bool countMembers(const OrbitProgram& program, std::uint64_t first, std::uint64_
         OrbitLanes lanes(member, static_cast<int>(points.index.size()), pointers, options);
         const EscapeResult result = runEscape(member, lanes, solid, options);
         for (std::size_t i = 0; i < points.index.size(); ++i)
-            counts[points.index[i]] += solid ? isSolid(member, result.squaredNorm[i])
-                                             : result.escaped[i] == 0;
+            counts[points.index[i]] +=
+                solid ? isSolid(member, result.squaredNorm[i]) : result.escaped[i] == 0;
     }
     return true;
 }

@@ -60,7 +60,8 @@ struct EvaluateOptions {
     // are, and one count for each point. Null: all members are counted.
     const std::uint32_t* counts = nullptr;
     std::uint64_t members = 0;
-    std::function<bool()> stop = {};  // asked between members; values are of no use once it says true
+    std::function<bool()> stop =
+        {};  // asked between members; values are of no use once it says true
 };
 
 // For `count` points with coordinates[axis][i]: one vector of count * channels numbers per field,

@@ -19,7 +19,8 @@
 //   trap            least distance of z_0 … last to the trap
 //   lyapunov        largest exponent: mean of ln|Df v| along the orbit, v renormalised; NaN where
 //                   the orbit escapes
-//   mean_membership part of the scene's ensemble (fields/ensemble.h) whose set holds z_0; of a scene
+//   mean_membership part of the scene's ensemble (fields/ensemble.h) whose set holds z_0; of a
+//   scene
 //                   without one, its membership
 //   standard_error  of mean_membership, sqrt(p (1 - p) / (members - 1)); 0 without an ensemble
 //   period          of the attracting cycle that z_N lies on, at most 4096; 0 where none is found

@@ -16,7 +16,7 @@ namespace versorium {
 enum class RootArrangement {
     even,       // independent and uniform in the region
     clustered,  // uniform in small balls around a few centres
-    spread,     // kept apart: each root is that of 16 candidates which is farthest from those before
+    spread,  // kept apart: each root is that of 16 candidates which is farthest from those before
 };
 
 struct RandomRoots {

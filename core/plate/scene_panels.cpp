@@ -372,8 +372,9 @@ PanelSource scenePanels(CpuRenderer& renderer, const Json& assets, Job& job, int
         Expected<Scene> scene = sceneWithAssets(json, assets);
         return scene ? overlayOf(renderer, *scene, overlay, job) : scene.status();
     };
-    source.profile = [&renderer, assets, &job](const Json& json, const ProfilePlot& plot)
-        -> Expected<std::pair<LinePlot, PanelInfo>> {
+    source.profile = [&renderer, assets, &job](
+                         const Json& json,
+                         const ProfilePlot& plot) -> Expected<std::pair<LinePlot, PanelInfo>> {
         Expected<Scene> scene = sceneWithAssets(json, assets);
         if (!scene) return scene.status();
         return plotProfile(renderer, *scene, plot, job);

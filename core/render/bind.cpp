@@ -108,18 +108,17 @@ std::shared_ptr<const Ensemble> ensembleOf(const Scene& scene, OrbitProgram& pro
     ensemble->count = static_cast<std::uint64_t>(spec.count);
     ensemble->seed = static_cast<std::uint64_t>(spec.seed);
     ensemble->solid = spec.set == "solid";
-    ensemble->capture = captureOf(
-        scene, program, scene.escapeRadius.value_or(program.map->info.escapeRadius), job);
+    ensemble->capture =
+        captureOf(scene, program, scene.escapeRadius.value_or(program.map->info.escapeRadius), job);
     if (spec.roots) {
         const auto& names = program.map->info.lists;
-        ensemble->list = static_cast<int>(
-            std::find(names.begin(), names.end(), spec.roots->list) - names.begin());
+        ensemble->list = static_cast<int>(std::find(names.begin(), names.end(), spec.roots->list) -
+                                          names.begin());
         ensemble->roots = spec.roots->draw;
         if (spec.roots->shapeBox) takeShapeBox(scene, program, ensemble->roots);
     }
     for (const EnsembleRange& range : spec.ranges)
-        ensemble->ranges.push_back(
-            {numberIndex(scene, range.name, program), range.from, range.to});
+        ensemble->ranges.push_back({numberIndex(scene, range.name, program), range.from, range.to});
     for (const EnsembleDisc& disc : spec.discs)
         ensemble->discs.push_back({numberIndex(scene, disc.name + ".re", program),
                                    numberIndex(scene, disc.name + ".im", program), disc.centreRe,

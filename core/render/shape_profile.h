@@ -8,9 +8,9 @@
 
 namespace versorium {
 
-// `to` <= 0: one and a half times the farthest corner of the shape's box. ErrorKind::usage for a map
-// without a shape. Over the quaternions the sphere lies in the three components that the shape is
-// looked up at.
+// `to` <= 0: one and a half times the farthest corner of the shape's box. ErrorKind::usage for a
+// map without a shape. Over the quaternions the sphere lies in the three components that the shape
+// is looked up at.
 Expected<RadialProfile> shapeProfile(Binder& binder, const Scene& scene, double to, int radii,
                                      Job& job);
 

@@ -111,17 +111,17 @@ Json ensembleToJson(const EnsembleSpec& ensemble) {
         const auto& h = draw.half;
         const auto& c = draw.centre;
         const bool own = !ensemble.roots->shapeBox;
-        json["roots"] = Json{
-            {"list", ensemble.roots->list},
-            {"count", Json::array({draw.least, draw.most})},
-            {"region", draw.ball ? "ball" : "box"},
-            {"half", own ? list({h[0], h[1], h[2], h[3]}) : Json::array()},
-            {"center", own ? list({c[0], c[1], c[2], c[3]}) : Json::array()},
-            {"power", list({draw.lowPower, draw.highPower})},
-            {"powers", draw.wholePowers ? "whole" : "real"},
-            {"arrangement", kArrangements[static_cast<std::size_t>(draw.arrangement)]},
-            {"clusters", draw.clusters},
-            {"cluster_radius", draw.clusterRadius}};
+        json["roots"] =
+            Json{{"list", ensemble.roots->list},
+                 {"count", Json::array({draw.least, draw.most})},
+                 {"region", draw.ball ? "ball" : "box"},
+                 {"half", own ? list({h[0], h[1], h[2], h[3]}) : Json::array()},
+                 {"center", own ? list({c[0], c[1], c[2], c[3]}) : Json::array()},
+                 {"power", list({draw.lowPower, draw.highPower})},
+                 {"powers", draw.wholePowers ? "whole" : "real"},
+                 {"arrangement", kArrangements[static_cast<std::size_t>(draw.arrangement)]},
+                 {"clusters", draw.clusters},
+                 {"cluster_radius", draw.clusterRadius}};
     }
     json["ranges"] = Json::array();
     for (const EnsembleRange& range : ensemble.ranges)

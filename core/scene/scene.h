@@ -73,7 +73,7 @@ struct Colouring {
     std::string smoothing = "ratio";  // none (eq 14), ratio (eq 15) or log-log
     std::string outline = "none";     // "membership", "solid" or "none"
     std::string outlineColour = "#ffffff";
-    double outlineWidth = 1;  // in line widths of the medium
+    double outlineWidth = 1;            // in line widths of the medium
     std::vector<double> contours = {};  // levels of `field` along which the same line runs
     friend bool operator==(const Colouring&, const Colouring&) = default;
 };

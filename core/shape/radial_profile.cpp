@@ -107,7 +107,8 @@ double findCapture(const RadialProfile& profile, const RadialOptions& options) {
         low = std::min(low, profile.low[i] - (i > 0 ? 0.5 * gap : 0));
         const double most = std::max(modulusOf(options, high), modulusOf(options, low));
         const double radius = profile.radius[i];
-        if (radius > 0 && radius <= options.escapeRadius && most <= radius * (1 - kMargin)) capture = radius;
+        if (radius > 0 && radius <= options.escapeRadius && most <= radius * (1 - kMargin))
+            capture = radius;
     }
     return capture;
 }

@@ -18,10 +18,10 @@ struct RadialOptions {
     std::array<double, 3> shift{};  // of the shape against the origin: φ is taken at x - shift
     double alpha = 8, beta = 0;
     double escapeRadius = 20;
-    double to = 2;    // the largest radius
-    int radii = 257;  // from 0 to `to`, evenly
+    double to = 2;        // the largest radius
+    int radii = 257;      // from 0 to `to`, evenly
     bool outward = true;  // whether `escape` is looked for
-    int points = 0;   // on each circle or sphere; 0: 4096 and 16384
+    int points = 0;       // on each circle or sphere; 0: 4096 and 16384
 };
 
 struct RadialProfile {
@@ -31,12 +31,12 @@ struct RadialProfile {
     std::vector<double> modulus;  // r̂ of the mean
     // How fast φ can change: 1 for analytic shapes; of a grid, as much as between its nodes.
     double slope = 1;
-    // Orbits that start within `capture` stay within it: r̂ <= capture on that ball. The largest such
-    // radius among those above, at most the escape radius; 0 where none is found.
+    // Orbits that start within `capture` stay within it: r̂ <= capture on that ball. The largest
+    // such radius among those above, at most the escape radius; 0 where none is found.
     double capture = 0;
     // Of the plane: orbits that start beyond `escape` leave sooner or later, since r̂ > r from there
-    // to the escape radius. It is the escape radius itself where nothing less is sure, and always in
-    // space, where φ does not see the component that is dropped.
+    // to the escape radius. It is the escape radius itself where nothing less is sure, and always
+    // in space, where φ does not see the component that is dropped.
     double escape = 20;
 };
 

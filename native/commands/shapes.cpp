@@ -87,10 +87,9 @@ Status makeRoots(RootsRequest request, int threads) {
     const RandomRoots& options = program->ensemble->roots;
     if (!request.output.empty()) {
         const RootList roots = randomRoots(options, request.seed);
-        const Status status =
-            request.output.ends_with(".p4d")
-                ? writeFileAtomically(request.output, writeRootsBinary(roots))
-                : writeFileAtomically(request.output, writeRootsJson(roots));
+        const Status status = request.output.ends_with(".p4d")
+                                  ? writeFileAtomically(request.output, writeRootsBinary(roots))
+                                  : writeFileAtomically(request.output, writeRootsJson(roots));
         if (!status.ok()) return status;
     }
     if (request.sheet.empty()) return {};
@@ -142,7 +141,9 @@ void addShapeCommands(CommandLine& line) {
         ->expected(1, 2)
         ->check(CLI::Range(1, kMostRandomRoots));
     roots->add_option("--seed", request->seed, "of the random numbers")->capture_default_str();
-    roots->add_option("--power", request->power, "LEAST,MOST power")->delimiter(',')->expected(1, 2);
+    roots->add_option("--power", request->power, "LEAST,MOST power")
+        ->delimiter(',')
+        ->expected(1, 2);
     roots->add_option("--powers", request->powers, "whole or real")
         ->check(CLI::IsMember({"whole", "real"}));
     roots->add_option("--arrangement", request->arrangement, "even, clustered or spread")

@@ -71,8 +71,8 @@ TEST(AveragedMap, IsTheMeanOfItsMembersOneByOne) {
                     const double v = (0.5 * kSmall.height - y - 0.5) * pixel, w = 0;
                     const double* coordinates[3] = {&u, &v, &w};
                     const FieldName field[] = {findField(set)->field};
-                    sum.at(x, y) += evaluateFields(program, 1, coordinates, field,
-                                                   {.shortcuts = false})[0][0];
+                    sum.at(x, y) +=
+                        evaluateFields(program, 1, coordinates, field, {.shortcuts = false})[0][0];
                 }
         }
         int between = 0;
@@ -175,8 +175,8 @@ TEST(AveragedMap, PicturesOfCountsAreThoseOfTheScene) {
     EXPECT_NE(expected.colour.values(), shown.colour.values());
 }
 
-// c uniform in a disc of radius 0.2 around 0: every set of it is a quasidisc around 0 that holds the
-// disc of radius 1/2 (Re of the multiplier at the attracting point), and none holds |z| > 1.2.
+// c uniform in a disc of radius 0.2 around 0: every set of it is a quasidisc around 0 that holds
+// the disc of radius 1/2 (Re of the multiplier at the attracting point), and none holds |z| > 1.2.
 TEST(AveragedMap, OfNumbersFromDiscsAndRanges) {
     Scene scene = sceneOf(*findMap("quadratic"));
     scene.samples = 1;

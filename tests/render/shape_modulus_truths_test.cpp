@@ -138,7 +138,7 @@ TEST(ShapeModulusTruths, WithTheIdentityAsDirectionTheRadialMapDecides) {
         Scene scene = shapeScene(one.map, one.shape, 6, 0.05);
         scene.lists["roots"] = {{{{0, 0, 0, 0}, 1}}, 1};
         scene.iterations = 12;
-        const auto points = randomPoints(800, one.dimension, 1.4);
+        const auto points = randomPoints(800, one.dimension, one.dimension == 3 ? 0.7 : 1.4);
         const auto member = at(scene, points, FieldName::membership);
         int inside = 0, differ = 0;
         for (std::size_t i = 0; i < points.size(); ++i) {
@@ -175,9 +175,8 @@ TEST(ShapeModulusTruths, CertainRadiiHoldForEveryDirection) {
     std::vector<std::vector<double>> captured, escaping;
     for (int k = 0; k < 100; ++k) {
         const double angle = 2 * M_PI * k / 100;
-        captured.push_back(
-            {profile->capture * std::cos(angle) * 0.999999, profile->capture * std::sin(angle) *
-                                                                0.999999});
+        captured.push_back({profile->capture * std::cos(angle) * 0.999999,
+                            profile->capture * std::sin(angle) * 0.999999});
         escaping.push_back({profile->escape * std::cos(angle) * 1.000001,
                             profile->escape * std::sin(angle) * 1.000001});
     }

@@ -142,8 +142,9 @@ Status AveragedMap::restore(std::span<const unsigned char> bytes) {
         for (int x = 0; x < counts.width(); ++x, at += 4) {
             const std::uint64_t count = get(bytes, at, 4);
             if (count > members)
-                return Status::data("the file of the averaged map is damaged: a count is larger "
-                                    "than the number of members");
+                return Status::data(
+                    "the file of the averaged map is damaged: a count is larger "
+                    "than the number of members");
             counts.at(x, y) = static_cast<std::uint32_t>(count);
         }
     counts_ = std::move(counts);

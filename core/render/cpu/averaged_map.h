@@ -19,8 +19,8 @@ class Binder;
 
 class AveragedMap {
   public:
-    // Nothing is counted yet. `size` is in pixels; there is a count for each of the scene's samples.
-    // ErrorKind::usage where the scene's ensemble varies nothing.
+    // Nothing is counted yet. `size` is in pixels; there is a count for each of the scene's
+    // samples. ErrorKind::usage where the scene's ensemble varies nothing.
     static Expected<AveragedMap> make(const Scene& scene, Size size);
 
     // Counts that many members more. Cancelled: the counts stay what they were.
@@ -33,15 +33,15 @@ class AveragedMap {
     // Of a rectangle of samples, row after row.
     std::vector<std::uint32_t> counts(int x, int y, int width, int height) const;
 
-    // ErrorKind::usage unless this is the map of that scene and size. Colours, layers, iso where the
-    // solid set is not counted, and the number of members may differ.
+    // ErrorKind::usage unless this is the map of that scene and size. Colours, layers, iso where
+    // the solid set is not counted, and the number of members may differ.
     Status check(const Scene& scene, Size size) const;
 
     // The counts as a file: "VRSAVG1\n", SHA-256 of what is counted (64 hexadecimal digits), then
     // little-endian: uint32 width and height in samples, uint64 members, uint32 counts.
     std::vector<unsigned char> save() const;
-    // Takes the counts of such a file. ErrorKind::data where it is none or belongs to another scene,
-    // size or seed.
+    // Takes the counts of such a file. ErrorKind::data where it is none or belongs to another
+    // scene, size or seed.
     Status restore(std::span<const unsigned char> bytes);
 
   private:

@@ -14,9 +14,9 @@ namespace {
 constexpr int kPoints = 1024;  // points at once when there is no picture
 
 EvaluateOptions optionsFor(const RenderOptions& options, const Job& job) {
-    return {.flavour = options.flavour,
-            .shortcuts = options.shortcuts,
-            .stop = [&job] { return job.cancelled(); }};
+    return {.flavour = options.flavour, .shortcuts = options.shortcuts, .stop = [&job] {
+                return job.cancelled();
+            }};
 }
 
 // With the counts of the tile's samples, where there are any.
@@ -123,8 +123,7 @@ Status CpuRenderer::render(const Scene& scene, Size size, const RenderOptions& o
             colours[i] = pass->colour(values, colours.size(), i);
             if (pass->hasLines())
                 sides.at(tile.x * perSide + static_cast<int>(i) % across,
-                         tile.y * perSide + static_cast<int>(i) / across) =
-                    pass->side(values, i);
+                         tile.y * perSide + static_cast<int>(i) / across) = pass->side(values, i);
         }
         average(tile, perSide, colours, frame);
     });
@@ -150,10 +149,9 @@ Status CpuRenderer::measure(const Scene& scene, Size size, const std::vector<Fie
         const Tile& tile = tiles[index];
         const Samples samples = samplesOf(tile, 1, view, thirdCoordinate(scene));
         std::vector<std::uint32_t> counts;
-        const auto values =
-            evaluate(*program, samples, fields,
-                     withCounts(scene.samples == 1 ? averaged : nullptr, tile, 1, options, job,
-                                counts));
+        const auto values = evaluate(
+            *program, samples, fields,
+            withCounts(scene.samples == 1 ? averaged : nullptr, tile, 1, options, job, counts));
         const std::size_t count = samples.u.size();
         for (std::size_t f = 0; f < fields.size(); ++f)
             for (std::size_t i = 0; i < count; ++i)

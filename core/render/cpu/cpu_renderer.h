@@ -15,8 +15,8 @@ class CpuRenderer final : public Renderer {
     Status render(const Scene& scene, Size size, const RenderOptions& options, Job& job,
                   Frame& frame) override;
     // From now on pictures of this map's scene and size, in whatever colours, show the members that
-    // it has counted instead of counting all; so do measurements where a pixel has one sample. Null:
-    // no longer.
+    // it has counted instead of counting all; so do measurements where a pixel has one sample.
+    // Null: no longer.
     void useAveraged(std::shared_ptr<const AveragedMap> averaged) {
         averaged_ = std::move(averaged);
     }
