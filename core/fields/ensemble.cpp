@@ -22,24 +22,36 @@ struct Points {
 };
 
 // |f| does not depend on the direction p: where it is beyond the escape radius for one member's
-// roots, the orbit escapes at step 1 for every member. The modulus is the same but for rounding,
-// for which there is a margin.
+// roots, the orbit escapes at step 1 for every member, and where it is within the radius of capture
+// every member keeps it. The modulus is the same but for rounding, for which there is a margin.
 constexpr double kRoundingMargin = 1e-9;
 
-Points undecided(const OrbitProgram& program, const Ensemble& ensemble, int count,
-                 const double* const* coordinates, const EvaluateOptions& options) {
+// Points whose fate the first modulus does not decide. Those that it keeps are counted at once.
+Points undecided(const OrbitProgram& program, const Ensemble& ensemble, std::uint64_t members,
+                 int count, const double* const* coordinates, std::uint32_t* counts,
+                 const EvaluateOptions& options) {
     Points points;
     const bool onlyRoots = ensemble.ranges.empty() && ensemble.discs.empty();
     const bool known = options.shortcuts && onlyRoots && program.map->info.field &&
                        program.iterations >= 1 && !program.onlyLastTested;
-    std::vector<double> modulus;
+    std::vector<double> modulus, starts;
     if (known) {
-        const FieldName field[] = {FieldName::imageModulus};
-        modulus = evaluateFields(program, count, coordinates, field, options)[0];
+        const FieldName first[] = {FieldName::imageModulus};
+        modulus = evaluateFields(program, count, coordinates, first, options)[0];
+        OrbitProgram begin = program;
+        begin.iterations = 0;
+        const FieldName within[] = {FieldName::membership};
+        starts = evaluateFields(begin, count, coordinates, within, options)[0];
     }
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
-        if (!known || !(modulus[i] > program.escapeRadius * (1 + kRoundingMargin)))
+    const double capture = ensemble.solid ? 0 : ensemble.capture * (1 - kRoundingMargin);
+    const double escape = program.escapeRadius * (1 + kRoundingMargin);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+        if (known && modulus[i] > escape) continue;
+        if (known && starts[i] != 0 && modulus[i] <= capture)
+            counts[i] += static_cast<std::uint32_t>(members);
+        else
             points.add(i, coordinates);
+    }
     return points;
 }
 
@@ -64,10 +76,11 @@ void Ensemble::choose(std::uint64_t member, OrbitProgram& program) const {
 bool countMembers(const OrbitProgram& program, std::uint64_t first, std::uint64_t members,
                   int count, const double* const* coordinates, std::uint32_t* counts,
                   const EvaluateOptions& options) {
+    if (members == 0) return true;
     const Ensemble& ensemble = *program.ensemble;
     OrbitProgram member = program;
     ensemble.choose(first, member);
-    const Points points = undecided(member, ensemble, count, coordinates, options);
+    const Points points = undecided(member, ensemble, members, count, coordinates, counts, options);
     if (points.index.empty()) return true;
     const double* pointers[3] = {points.coordinates[0].data(), points.coordinates[1].data(),
                                  points.coordinates[2].data()};

@@ -32,6 +32,10 @@ struct Ensemble {
     std::vector<Range> ranges;
     std::vector<Disc> discs;
 
+    // Every orbit that comes this near to the origin of a shape-modulus map stays there, whatever
+    // the roots (shape/radial_profile.h: capture); 0 where nothing is known.
+    double capture = 0;
+
     bool varies() const { return list >= 0 || !ranges.empty() || !discs.empty(); }
     // Makes `program`, which is any member, the one of this number.
     void choose(std::uint64_t member, OrbitProgram& program) const;

@@ -9,6 +9,7 @@
 #include "io/grid_files.h"
 #include "io/image_files.h"
 #include "io/mesh_files.h"
+#include "render/shape_profile.h"
 #include "scene/numbers.h"
 #include "shape/bounds.h"
 #include "shape/image_distance.h"
@@ -102,13 +103,37 @@ void takeShapeBox(const Scene& scene, const OrbitProgram& program, RandomRoots& 
     }
 }
 
+// Where nothing but the roots differs, orbits near enough to the origin of the plane are kept by
+// every member.
+double captureOf(const Scene& scene, const OrbitProgram& program, double escapeRadius, Job& job) {
+    const EnsembleSpec& spec = scene.ensemble;
+    bool fixed = program.map->info.field && spec.roots && spec.ranges.empty() &&
+                 spec.discs.empty() && program.map->info.algebra == Algebra::complex;
+    for (const SliceAxis& axis : scene.slice.axes)
+        for (const auto& [name, weight] : axis.terms)
+            fixed = fixed && numberNamed(scene, name)->kind == NumberKind::state;
+    for (const auto& [name, value] : scene.slice.origin)
+        fixed = fixed && numberNamed(scene, name)->kind == NumberKind::state;
+    if (!fixed) return 0;
+    RadialOptions options = radialOptions(scene, escapeRadius);
+    options.outward = false;
+    options.points = 1024;
+    options.radii = 513;
+    options.to = std::min(escapeRadius, shapeReach(*program.field, options));
+    Job own(job.threads());  // the progress shown is that of the picture
+    Expected<RadialProfile> profile = radialProfile(*program.field, options, own);
+    return profile ? profile->capture : 0;
+}
+
 // What the ensemble draws must have its numbers in the slice before the slice is bound.
-std::shared_ptr<const Ensemble> ensembleOf(const Scene& scene, OrbitProgram& program) {
+std::shared_ptr<const Ensemble> ensembleOf(const Scene& scene, OrbitProgram& program, Job& job) {
     const EnsembleSpec& spec = scene.ensemble;
     const auto ensemble = std::make_shared<Ensemble>();
     ensemble->count = static_cast<std::uint64_t>(spec.count);
     ensemble->seed = static_cast<std::uint64_t>(spec.seed);
     ensemble->solid = spec.set == "solid";
+    ensemble->capture =
+        captureOf(scene, program, scene.escapeRadius.value_or(program.map->info.escapeRadius), job);
     if (spec.roots) {
         const auto& names = program.map->info.lists;
         ensemble->list = static_cast<int>(std::find(names.begin(), names.end(), spec.roots->list) -
@@ -287,7 +312,7 @@ Expected<OrbitProgram> Binder::bind(const Scene& scene, Job& job) {
         if (!made) return made.status();
         program.field = *made;
     }
-    program.ensemble = ensembleOf(scene, program);
+    program.ensemble = ensembleOf(scene, program, job);
     if (Status status = bindSlice(scene, program); !status.ok()) return status;
     program.critical = scene.criticalStart;
     program.iterations = scene.iterations;

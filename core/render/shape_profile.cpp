@@ -8,37 +8,43 @@
 
 namespace versorium {
 
-Expected<RadialProfile> shapeProfile(Binder& binder, const Scene& scene, double to, int radii,
-                                     Job& job) {
-    const MapInfo& info = mapOf(scene).info;
-    if (!info.field)
-        return Status::usage("the map \"" + scene.map +
-                             "\" has no shape; a shape-modulus map is expected");
-    Expected<OrbitProgram> program = binder.bind(scene, job);
-    if (!program) return program.status();
-    RadialOptions options{.dimensions = info.algebra == Algebra::complex ? 2 : 3, .radii = radii};
+RadialOptions radialOptions(const Scene& scene, double escapeRadius) {
+    RadialOptions options;
+    options.dimensions = mapOf(scene).info.algebra == Algebra::complex ? 2 : 3;
     options.alpha = scene.parameters.at("alpha")[0];
     options.beta = scene.parameters.at("beta")[0];
     if (scene.parameters.at("as_printed")[0] != 0) options.beta = -options.beta;
-    options.escapeRadius = program->escapeRadius;
+    options.escapeRadius = escapeRadius;
     const std::vector<double>& shift = scene.parameters.at("shift");
     const auto drop = scene.parameters.find("drop");
     const double dropped = drop == scene.parameters.end() ? 3 : drop->second[0];
     std::size_t next = 0;
     for (std::size_t k = 0; k < shift.size() && next < 3; ++k)
         if (static_cast<double>(k) != dropped) options.shift[next++] = shift[k];
-    options.to = to;
-    if (!(to > 0)) {
-        const ShapeBounds bounds = boundsOf(*program->field, options.dimensions);
-        double square = 0;
-        for (int k = 0; k < options.dimensions; ++k) {
-            const auto i = static_cast<std::size_t>(k);
-            const double far = std::max(std::abs(bounds.low[i] + options.shift[i]),
-                                        std::abs(bounds.high[i] + options.shift[i]));
-            square += far * far;
-        }
-        options.to = 1.5 * std::sqrt(square);
+    return options;
+}
+
+double shapeReach(const DistanceField& field, const RadialOptions& options) {
+    const ShapeBounds bounds = boundsOf(field, options.dimensions);
+    double square = 0;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(options.dimensions); ++k) {
+        const double far = std::max(std::abs(bounds.low[k] + options.shift[k]),
+                                    std::abs(bounds.high[k] + options.shift[k]));
+        square += far * far;
     }
+    return std::sqrt(square);
+}
+
+Expected<RadialProfile> shapeProfile(Binder& binder, const Scene& scene, double to, int radii,
+                                     Job& job) {
+    if (!mapOf(scene).info.field)
+        return Status::usage("the map \"" + scene.map +
+                             "\" has no shape; a shape-modulus map is expected");
+    Expected<OrbitProgram> program = binder.bind(scene, job);
+    if (!program) return program.status();
+    RadialOptions options = radialOptions(scene, program->escapeRadius);
+    options.radii = radii;
+    options.to = to > 0 ? to : 1.5 * shapeReach(*program->field, options);
     return radialProfile(*program->field, options, job);
 }
 

@@ -14,6 +14,11 @@ namespace versorium {
 Expected<RadialProfile> shapeProfile(Binder& binder, const Scene& scene, double to, int radii,
                                      Job& job);
 
+// What the profile follows from, without the radii: the scene's α, β, shift and escape radius.
+RadialOptions radialOptions(const Scene& scene, double escapeRadius);
+// How far the shape reaches from the origin of the dynamical system.
+double shapeReach(const DistanceField& field, const RadialOptions& options);
+
 // "radius,mean_phi,low,high,modulus", a row for each radius.
 std::string profileCsv(const RadialProfile& profile);
 

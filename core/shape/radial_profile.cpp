@@ -13,6 +13,9 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr int kOutwardRadii = 4097;
 constexpr int kOutwardPoints = 1024;
 
+// A trap is left some room for rounding.
+constexpr double kMargin = 1e-9;
+
 using Direction = std::array<double, 3>;
 
 // Evenly spread directions, and the farthest that any direction lies from one of them, on the unit
@@ -104,7 +107,8 @@ double findCapture(const RadialProfile& profile, const RadialOptions& options) {
         low = std::min(low, profile.low[i] - (i > 0 ? 0.5 * gap : 0));
         const double most = std::max(modulusOf(options, high), modulusOf(options, low));
         const double radius = profile.radius[i];
-        if (radius > 0 && radius <= options.escapeRadius && most <= radius) capture = radius;
+        if (radius > 0 && radius <= options.escapeRadius && most <= radius * (1 - kMargin))
+            capture = radius;
     }
     return capture;
 }
@@ -164,7 +168,7 @@ Expected<RadialProfile> radialProfile(const DistanceField& field, const RadialOp
     if (!profile) return profile.status();
     profile->capture = findCapture(*profile, options);
     profile->escape = options.escapeRadius;
-    if (options.dimensions != 2) return profile;
+    if (options.dimensions != 2 || !options.outward) return profile;
     RadialOptions outward = options;
     outward.to = options.escapeRadius;
     outward.radii = kOutwardRadii;

@@ -18,9 +18,10 @@ struct RadialOptions {
     std::array<double, 3> shift{};  // of the shape against the origin: φ is taken at x - shift
     double alpha = 8, beta = 0;
     double escapeRadius = 20;
-    double to = 2;    // the largest radius
-    int radii = 257;  // from 0 to `to`, evenly
-    int points = 0;   // on each circle or sphere; 0: 4096 and 16384
+    double to = 2;        // the largest radius
+    int radii = 257;      // from 0 to `to`, evenly
+    bool outward = true;  // whether `escape` is looked for
+    int points = 0;       // on each circle or sphere; 0: 4096 and 16384
 };
 
 struct RadialProfile {

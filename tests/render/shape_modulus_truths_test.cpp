@@ -138,7 +138,7 @@ TEST(ShapeModulusTruths, WithTheIdentityAsDirectionTheRadialMapDecides) {
         Scene scene = shapeScene(one.map, one.shape, 6, 0.05);
         scene.lists["roots"] = {{{{0, 0, 0, 0}, 1}}, 1};
         scene.iterations = 12;
-        const auto points = randomPoints(800, one.dimension, 1.4);
+        const auto points = randomPoints(800, one.dimension, one.dimension == 3 ? 0.7 : 1.4);
         const auto member = at(scene, points, FieldName::membership);
         int inside = 0, differ = 0;
         for (std::size_t i = 0; i < points.size(); ++i) {
