@@ -25,6 +25,11 @@ void put(StudioContext& context, DiagramStudy& study) {
     if (!ImGui::GetIO().BackendRendererName || !study.diagram) return;
     if (study.textured == study.filled && study.theme == context.theme && study.texture) return;
     const Size size = study.diagram->visits.size();
+    // Not after every few columns: all of them are coloured each time.
+    constexpr int kBatch = 60;
+    if (study.texture && study.filled < size.width && study.filled > study.textured &&
+        study.filled - study.textured < kBatch)
+        return;
     const Raster<float> ink = inkOf(*study.diagram, study.options);
     const ImVec4 colour = ImGui::GetStyleColorVec4(ImGuiCol_Text);
     std::vector<unsigned char> rgba;

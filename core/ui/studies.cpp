@@ -52,7 +52,8 @@ void append(std::vector<double>& numbers, const Window& window) {
 }  // namespace
 
 bool atRest(const StudioContext& context) {
-    return !ImGui::IsAnyMouseDown() && !context.moves() && !context.gliding() &&
+    const bool held = ImGui::GetCurrentContext() && ImGui::IsAnyMouseDown();
+    return !held && !context.moves() && !context.gliding() &&
            (!context.touched || context.host.now() - context.touchedAt > kRest);
 }
 
@@ -338,7 +339,7 @@ Scene diagramScene(const Workspace& workspace) {
 
 // The values between which the bounded orbits stay.
 void fitHeight(const OrbitProgram& program, DiagramOptions& options) {
-    constexpr int kColumns = 120, kSteps = 220, kTransient = 160;
+    constexpr int kColumns = 60, kSteps = 220, kTransient = 160;
     double low = INFINITY, high = -INFINITY;
     for (int k = 0; k < kColumns; ++k) {
         const double at[3] = {options.left + (options.right - options.left) * (k + 0.5) / kColumns,

@@ -110,6 +110,9 @@ void drawCycleRow(StudioContext& context, const PeriodicCycle& cycle, int index)
     std::string values;
     if (cycle.multiplier)
         values = complexNumber(*cycle.multiplier);
+    else if (cycle.eigenvalues.size() == 2 && cycle.eigenvalues[0].imag() != 0)
+        values = formatNumber(cycle.eigenvalues[0].real(), 4) + " ± " +
+                 formatNumber(std::abs(cycle.eigenvalues[0].imag()), 4) + "i";
     else
         for (const auto& value : cycle.eigenvalues)
             values += (values.empty() ? "" : ", ") + complexNumber(value);

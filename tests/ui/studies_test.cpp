@@ -206,8 +206,8 @@ TEST(PlanarChange, ReadsPolynomialsOffFormulas) {
 }
 
 // Hénon, a = 1.4, b = 0.3: x = a - x² + b x, both saddles.
-TEST(Cycles, OfHenonAreListedDrawnAndClicked) {
-    StillStudio studio("henon");
+TEST(CyclesPanel, OfHenonAreListedDrawnAndClicked) {
+    StillStudio studio("henon-set");
     StudioContext& context = studio.context;
     setSharedNumber(context.workspace, "g.d", 1.4);
     setSharedNumber(context.workspace, "g.b1", 0.3);
@@ -240,7 +240,7 @@ TEST(Cycles, OfHenonAreListedDrawnAndClicked) {
 }
 
 // x = r x (1 - x) at 1 - 1/r with the multiplier 2 - r, on the line.
-TEST(Cycles, OfTheLogisticMapToo) {
+TEST(CyclesPanel, OfTheLogisticMapToo) {
     StillStudio studio("logistic");
     StudioContext& context = studio.context;
     setSharedNumber(context.workspace, "r", 3.25);
