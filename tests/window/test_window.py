@@ -28,7 +28,9 @@ class Window(unittest.TestCase):
     def setUpClass(cls):
         read, write = os.pipe()
         cls.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x800x24", "-nolisten", "tcp"],
+            # Without a reset: between one window and the next there may be a moment without any.
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x800x24", "-nolisten", "tcp",
+             "-noreset"],
             pass_fds=[write], stderr=subprocess.DEVNULL)
         os.close(write)
         # The whole line: the server ends when it cannot write all of it.
