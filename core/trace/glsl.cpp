@@ -52,9 +52,9 @@ std::string expression(const Node& n) {
         case Op::logarithm:
             return call("v_log", {n.a});
         case Op::sine:
-            return call("sin", {n.a});
+            return call("v_sin", {n.a});
         case Op::cosine:
-            return call("cos", {n.a});
+            return call("v_cos", {n.a});
         case Op::angle:
             return call("v_atan2", {n.a, n.b});
         case Op::power:

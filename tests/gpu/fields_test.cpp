@@ -138,13 +138,7 @@ TEST(GpuFields, TypedFormulas) {
     // that has left, only when it left is compared.
     Scene sine = *sceneOfMap("c*sin(z); c = 1 + 0.2i");
     sine.iterations = 60;
-    // GLSL ES promises 11 bits of a sine, and a browser's driver in software gives hardly more.
-#ifdef __EMSCRIPTEN__
-    constexpr double kSineShare = 75;
-#else
-    constexpr double kSineShare = 99;
-#endif
-    compare(sine, kSineShare,
+    compare(sine, 99,
             {FieldName::membership, FieldName::escapeStep, FieldName::smoothEscape,
              FieldName::imageModulus, FieldName::versor, FieldName::argument});
 }

@@ -40,6 +40,24 @@ float v_pow(float x, float y) {
 float v_atan2(float y, float x) {
     return x == 0.0 && y == 0.0 ? 0.0 : atan(y, x);
 }
+// GLSL ES promises 11 bits of a sine: the series about 0, after whole quarters of a turn are gone.
+float v_quarter(float x, float quarter) {
+    if (!(abs(x) < 1024.0)) return quarter == 0.0 ? sin(x) : cos(x);
+    float n = floor(x * 0.636619772 + 0.5);
+    float r = ((x - n * 1.5703125) - n * 4.837512969970703e-4) - n * 7.549790126e-8;
+    float s = r * r;
+    float sine = r + r * s * (-0.16666667 + s * (8.3333333e-3 + s * (-1.98412698e-4 + s * 2.7557319e-6)));
+    float cosine = 1.0 + s * (-0.5 + s * (4.1666667e-2 + s * (-1.38888889e-3 + s * (2.48015873e-5 - s * 2.75573192e-7))));
+    float turns = n + quarter - 4.0 * floor(0.25 * (n + quarter));
+    float value = turns == 1.0 || turns == 3.0 ? cosine : sine;
+    return turns < 2.0 ? value : -value;
+}
+float v_sin(float x) {
+    return v_quarter(x, 0.0);
+}
+float v_cos(float x) {
+    return v_quarter(x, 1.0);
+}
 vec2 complexProduct(vec2 a, vec2 b) {
     return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
 }
@@ -56,7 +74,7 @@ vec2 complexPower(vec2 z, float e) {
     if (!isWhole(e)) {
         float modulus = v_pow(length(z), e);
         float turn = e * v_atan2(z.y, z.x);
-        return modulus * vec2(cos(turn), sin(turn));
+        return modulus * vec2(v_cos(turn), v_sin(turn));
     }
     vec2 result = vec2(1.0, 0.0);
     for (int left = int(abs(e)); left > 0; left >>= 1) {
@@ -70,8 +88,8 @@ vec4 quaternionPower(vec4 q, float e) {
         float modulus = v_pow(length(q), e);
         float size = length(q.yzw);
         float turn = e * v_atan2(size, q.x);
-        float scale = size == 0.0 ? 0.0 : modulus * sin(turn) / size;
-        return vec4(modulus * cos(turn), scale * q.yzw);
+        float scale = size == 0.0 ? 0.0 : modulus * v_sin(turn) / size;
+        return vec4(modulus * v_cos(turn), scale * q.yzw);
     }
     vec4 result = vec4(1.0, 0.0, 0.0, 0.0);
     for (int left = int(abs(e)); left > 0; left >>= 1) {
