@@ -85,11 +85,22 @@ bool countMembers(const OrbitProgram& program, std::uint64_t first, std::uint64_
     const double* pointers[3] = {points.coordinates[0].data(), points.coordinates[1].data(),
                                  points.coordinates[2].data()};
     const bool solid = ensemble.solid;
+    const int size = static_cast<int>(points.index.size());
+    // Where nothing but the roots differs, all members start from the same states.
+    const bool same = ensemble.ranges.empty() && ensemble.discs.empty() && !program.critical;
+    OrbitLanes lanes(member, size, pointers, options);
+    const OrbitLanes start = lanes;
+    EscapeRun run(member, options, solid ? 0 : ensemble.capture);
     for (std::uint64_t k = 0; k < members; ++k) {
         if (options.stop && options.stop()) return false;
-        if (k > 0) ensemble.choose(first + k, member);
-        OrbitLanes lanes(member, static_cast<int>(points.index.size()), pointers, options);
-        const EscapeResult result = runEscape(member, lanes, solid, options);
+        if (k > 0) {
+            ensemble.choose(first + k, member);
+            if (same)
+                lanes.startAt(start);
+            else
+                lanes = OrbitLanes(member, size, pointers, options);
+        }
+        const EscapeResult& result = run.run(lanes, solid ? Needed::last : Needed::steps);
         for (std::size_t i = 0; i < points.index.size(); ++i)
             counts[points.index[i]] +=
                 solid ? isSolid(member, result.squaredNorm[i]) : result.escaped[i] == 0;

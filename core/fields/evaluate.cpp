@@ -118,11 +118,13 @@ std::vector<std::vector<double>> evaluateFields(const OrbitProgram& program, int
 
     const OrbitLanes start(program, count, coordinates, options);
     // The last iterate of orbits inside matters to these only.
-    const bool needLast = wants(fields, {squaredNorm, logModulus, solid, period});
+    const Needed needed = wants(fields, {squaredNorm, logModulus, solid, period}) ? Needed::last
+                          : wants(fields, {smoothEscape})                         ? Needed::escaped
+                                                                                  : Needed::steps;
     EscapeResult escape;
     OrbitLanes last = start;
-    if (needLast || wants(fields, {membership, escapeStep, smoothEscape}))
-        escape = runEscape(program, last, needLast, options);
+    if (needed != Needed::steps || wants(fields, {membership, escapeStep}))
+        escape = EscapeRun(program, options).run(last, needed);
     OrbitLanes image = start;
     if (wants(fields, {imageModulus, versor, argument})) image.advance(1);
     Observed observed;

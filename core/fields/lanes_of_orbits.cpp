@@ -143,37 +143,37 @@ void OrbitLanes::advanceDual() {
     row_->advanceDual(all);
 }
 
-EscapeResult runEscape(const OrbitProgram& program, OrbitLanes& lanes, bool needLast,
-                       const EvaluateOptions& options) {
+const EscapeResult& EscapeRun::run(OrbitLanes& lanes, Needed needed) {
+    const OrbitProgram& program = *program_;
     const auto count = static_cast<std::size_t>(lanes.count());
     OrbitBatch<double> batch = lanes.batch();
     const auto capacity = static_cast<std::size_t>(batch.capacity);
-    std::vector<double> scratch(
-        scratchSize(batch.capacity, program.map->parameters + kMostOverrides));
-    std::vector<std::int32_t> index(6 * capacity);
-    EscapeResult result;
-    result.steps.assign(capacity, 0);
-    batch.steps = result.steps.data();
-    batch.scratch = scratch.data();
-    batch.scratchIndex = index.data();
+    scratch_.resize(scratchSize(batch.capacity, program.map->parameters + kMostOverrides));
+    index_.resize(6 * capacity);
+    result_.steps.resize(capacity);
+    batch.steps = result_.steps.data();
+    batch.scratch = scratch_.data();
+    batch.scratchIndex = index_.data();
     const double radius2 = program.escapeRadius * program.escapeRadius;
     batch.squaredRadius =
         program.onlyLastTested ? std::numeric_limits<double>::infinity() : radius2;
     batch.iterations = program.iterations;
-    batch.needLast = needLast || program.onlyLastTested;
-    batch.shortcuts = options.shortcuts;
+    batch.needLast = needed == Needed::last || program.onlyLastTested;
+    batch.needEscaped = needed != Needed::steps || program.onlyLastTested;
+    batch.squaredCapture = capture_ * capture_;
+    batch.shortcuts = options_->shortcuts;
     lanes.row().escape(batch);
-    result.escaped.assign(count, 0);
-    result.squaredNorm.assign(count, 0.0);
+    result_.escaped.resize(count);
+    result_.squaredNorm.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
-        result.squaredNorm[i] = lanes.squaredNorm(i);
-        result.escaped[i] = result.steps[i] <= program.iterations;
+        if (batch.needEscaped) result_.squaredNorm[i] = lanes.squaredNorm(i);
+        result_.escaped[i] = result_.steps[i] <= program.iterations;
         if (program.onlyLastTested) {
-            result.escaped[i] = !(result.squaredNorm[i] <= radius2);
-            result.steps[i] = program.iterations + (result.escaped[i] ? 0 : 1);
+            result_.escaped[i] = !(result_.squaredNorm[i] <= radius2);
+            result_.steps[i] = program.iterations + (result_.escaped[i] ? 0 : 1);
         }
     }
-    return result;
+    return result_;
 }
 
 }  // namespace versorium

@@ -19,6 +19,8 @@ class OrbitLanes {
     std::vector<double>& slope(int k) { return slopes_[static_cast<std::size_t>(k)]; }
     double squaredNorm(std::size_t i) const;
 
+    // All orbits at `from`'s states again. Both must be of the same points.
+    void startAt(const OrbitLanes& from) { states_ = from.states_; }
     // Steps of all orbits, escaped or not.
     void advance(int steps);
     // Derivatives along an axis of the slice (of the start itself where it moves), then steps that
@@ -53,9 +55,27 @@ struct EscapeResult {
     std::vector<double> squaredNorm;  // of the last iterate
 };
 
-// Runs the escape kernel; afterwards the states are the last iterates (for orbits that do not
-// escape only with needLast).
-EscapeResult runEscape(const OrbitProgram& program, OrbitLanes& lanes, bool needLast,
-                       const EvaluateOptions& options);
+// What is read of the states after runEscape: nothing, those of orbits that escaped, or all.
+enum class Needed { steps, escaped, last };
+
+// Runs the escape kernel, as often as wanted; afterwards the states are the last iterates, as far
+// as they are needed.
+class EscapeRun {
+  public:
+    // `capture`: orbits within this distance of 0 never escape; 0 where nothing is known.
+    EscapeRun(const OrbitProgram& program, const EvaluateOptions& options, double capture = 0)
+        : program_(&program), options_(&options), capture_(capture) {}
+    // The result is valid until the next run. Without Needed::last or Needed::escaped its squared
+    // norms mean nothing.
+    const EscapeResult& run(OrbitLanes& lanes, Needed needed);
+
+  private:
+    const OrbitProgram* program_;
+    const EvaluateOptions* options_;
+    double capture_;
+    std::vector<double> scratch_;
+    std::vector<std::int32_t> index_;
+    EscapeResult result_;
+};
 
 }  // namespace versorium

@@ -247,6 +247,8 @@ Expected<GpuOrbits> GpuOrbits::make(const Scene& scene, const OrbitProgram& prog
         orbits.numbers[4 * place + 2] = static_cast<float>(numbers[k].up);
     }
 
+    if (program.field && (program.field->alpha() || program.field->beta()))
+        return refused("alpha or beta differs from place to place");
     Tape shape;
     const bool analytic = program.field && program.field->shape();
     if (analytic) {

@@ -95,16 +95,20 @@ bool isFileName(const std::string& value) {
     return false;
 }
 
-Status assignShape(Scene& scene, const std::string& value) {
+// The scene's shape, or one that alpha or beta follows.
+Status assignShape(Scene& scene, const std::string& key, const std::string& value) {
+    std::string& source = key == "modulation.alpha.shape"  ? scene.alphaOverSpace.shape
+                          : key == "modulation.beta.shape" ? scene.betaOverSpace.shape
+                                                           : scene.shape.source;
     if (!isFileName(value)) {
-        scene.shape.source = value;
+        source = value;
         return {};
     }
     Expected<Bytes> bytes = readFile(value, kMostAssetBytes);
     if (!bytes) return bytes.status();
     const std::size_t slash = value.find_last_of('/');
-    scene.assets.clear();
-    scene.shape.source = addAsset(
+    if (&source == &scene.shape.source) scene.assets.clear();
+    source = addAsset(
         scene, {slash == std::string::npos ? value : value.substr(slash + 1), std::move(*bytes)});
     return {};
 }
@@ -222,16 +226,29 @@ Expected<Assignment> parseAssignment(const std::string& text) {
     return Assignment{text.substr(0, equals), text.substr(equals + 1)};
 }
 
+// With the parts that a scene leaves out where they say nothing, so that they can be set.
+Json wholeJson(const Scene& scene) {
+    Json json = sceneToJson(scene);
+    if (!json.contains("ensemble")) json["ensemble"] = ensembleToJson(scene.ensemble);
+    if (mapOf(scene).info.field)
+        for (const auto& [name, spec] :
+             {std::pair{"alpha", &scene.alphaOverSpace}, std::pair{"beta", &scene.betaOverSpace}})
+            json["modulation"][name] = modulationToJson(*spec);
+    return json;
+}
+
 bool knowsKey(const Scene& scene, const std::string& key) {
     return scene.lists.contains(key) || numberNamed(scene, key) ||
-           !pathOf(sceneToJson(scene), key).empty();
+           !pathOf(wholeJson(scene), key).empty();
 }
 
 Status assign(Scene& scene, const Assignment& assignment) {
     const auto& [key, value] = assignment;
     if (scene.lists.contains(key) && !value.starts_with("{"))
         return assignList(scene.lists[key], value);
-    if (key == "shape" && mapOf(scene).info.field) return assignShape(scene, value);
+    const bool shape =
+        key == "shape" || key == "modulation.alpha.shape" || key == "modulation.beta.shape";
+    if (shape && mapOf(scene).info.field) return assignShape(scene, key, value);
     if (key == "map" || key == "formula") {
         Expected<Scene> chosen = sceneOfMap(value);
         if (!chosen) return refused(assignment, chosen.status().message());
@@ -242,7 +259,7 @@ Status assign(Scene& scene, const Assignment& assignment) {
         return {};
     }
     Json assets = Json::object();
-    Json json = withoutAssets(sceneToJson(scene), assets);
+    Json json = withoutAssets(wholeJson(scene), assets);
     Json parsed = parseValue(value);
     const std::string path = scene.lists.contains(key) ? "lists." + key : pathOf(json, key);
     if (path == "colour.palette" && value.ends_with(".json")) {

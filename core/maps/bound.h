@@ -10,6 +10,7 @@
 #include "geometry/roots.h"
 #include "maps/layout.h"
 #include "shape/field.h"
+#include "shape/modulation.h"
 #include "trace/expr.h"
 #include "trace/program.h"
 
@@ -48,6 +49,12 @@ struct Environment {
             component == 4 ? root.power : root.q[static_cast<std::size_t>(component)]));
     }
     R distance(const R& x, const R& y, const R& z) const { return field->at(x, y, z); }
+    R alphaAt(const R& x, const R& y, const R& z, const R& base) const {
+        return field->alpha() ? field->alpha()->at(x, y, z, base) : base;
+    }
+    R betaAt(const R& x, const R& y, const R& z, const R& base) const {
+        return field->beta() ? field->beta()->at(x, y, z, base) : base;
+    }
 };
 
 // Recording needs only the tape.
@@ -58,6 +65,9 @@ struct Environment<Expr> {
         return {tape,
                 tape->add({.op = Op::distance, .a = x.on(tape), .b = y.on(tape), .c = z.on(tape)})};
     }
+    // Tapes know α and β that are the same everywhere.
+    Expr alphaAt(const Expr&, const Expr&, const Expr&, const Expr& base) const { return base; }
+    Expr betaAt(const Expr&, const Expr&, const Expr&, const Expr& base) const { return base; }
 };
 
 // One root as a step sees it.
@@ -130,6 +140,13 @@ class Field {
   public:
     explicit Field(const Environment<R>& environment) : environment_(environment) {}
     R at(const R& x, const R& y, const R& z) const { return environment_.distance(x, y, z); }
+    // α and β there, whose values elsewhere are `base`.
+    R alphaAt(const R& x, const R& y, const R& z, const R& base) const {
+        return environment_.alphaAt(x, y, z, base);
+    }
+    R betaAt(const R& x, const R& y, const R& z, const R& base) const {
+        return environment_.betaAt(x, y, z, base);
+    }
 
   private:
     const Environment<R>& environment_;

@@ -45,8 +45,12 @@ struct OrbitBatch {
     std::int32_t* steps = nullptr;
     // Whether state is read after escape() for orbits that did not escape.
     bool needLast = true;
+    // Whether it is read for orbits that did.
+    bool needEscaped = true;
     // Whether orbits may be decided early where that changes no result.
     bool shortcuts = true;
+    // Orbits whose squared norm is below this never escape; 0 where nothing is known.
+    T squaredCapture = 0;
     // Room for escape(): scratchSize numbers and 6 * capacity integers.
     T* scratch = nullptr;
     std::int32_t* scratchIndex = nullptr;

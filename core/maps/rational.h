@@ -86,6 +86,7 @@ struct Rational {
         .homeHeight = 3,
         .source = "Q eqs 4, 8"};
     static constexpr int kRegisters = 1;
+    static constexpr bool kStepwise = true;
 
     template <class R>
     static Z<R> step(Z<R> q, R logScale, R tau, R beta, Roots<R, 0> roots, Roots<R, 1> poles) {
@@ -119,6 +120,7 @@ struct QuaternionInterleaved {
                                   .homeHeight = 3,
                                   .source = "Q eq 19"};
     static constexpr int kRegisters = 1;
+    static constexpr bool kStepwise = true;
 
     template <class R>
     static Quaternion<R> step(Quaternion<R> q, R logScale, R tau, Roots<R, 0> factors) {

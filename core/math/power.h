@@ -96,6 +96,8 @@ template <class Z, class R>
 Z anyPower(const Z& z, const R& exponent) {
     const auto e = plainValue(exponent);
     using P = std::remove_cvref_t<decltype(e)>;
+    if constexpr (PlainReal<R>)
+        if (!any(e != P(1.0))) return z;
     const P size = abs(e);
     const auto whole = (floor(size) == size) & (size <= P(kLargestWholePower));
     const auto polar = !whole;

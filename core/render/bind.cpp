@@ -63,6 +63,32 @@ std::string gridKey(const Scene& scene) {
            formatNumber(scene.shape.padding) + (scene.shape.zFastest ? "/z" : "/x");
 }
 
+// A scene of the same map with that shape, without all that its grid does not follow from.
+Scene withShape(const Scene& scene, const std::string& source) {
+    Scene one = sceneOf(mapOf(scene));
+    one.shape = scene.shape;
+    one.shape.source = source;
+    if (source.starts_with(kAsset))
+        if (const auto asset = scene.assets.find(source.substr(kAsset.size()));
+            asset != scene.assets.end())
+            one.assets.insert(*asset);
+    return one;
+}
+
+// One scene for each shape that this scene looks into.
+std::vector<Scene> shapesOf(const Scene& scene) {
+    std::vector<Scene> all;
+    if (!mapOf(scene).info.field) return all;
+    all.push_back(withShape(scene, scene.shape.source));
+    for (const ModulationSpec* spec : {&scene.alphaOverSpace, &scene.betaOverSpace})
+        if (!spec->shape.empty()) all.push_back(withShape(scene, spec->shape));
+    return all;
+}
+
+bool isGridded(const Scene& scene) {
+    return scene.shape.source.starts_with(kAsset) || !embedded(meshFile(scene)).empty();
+}
+
 std::size_t numberIndex(const Scene& scene, const NumberRef& ref, OrbitProgram& program) {
     const MapKernels& map = mapOf(scene);
     if (ref.kind == NumberKind::state) return static_cast<std::size_t>(ref.index);
@@ -252,8 +278,9 @@ Expected<Grid> gridFromBytes(std::span<const unsigned char> bytes, const std::st
 }
 
 bool needsGrid(const Scene& scene) {
-    if (!mapOf(scene).info.field) return false;
-    return scene.shape.source.starts_with(kAsset) || !embedded(meshFile(scene)).empty();
+    for (const Scene& one : shapesOf(scene))
+        if (isGridded(one)) return true;
+    return false;
 }
 
 Expected<std::shared_ptr<const Grid>> Binder::grid(const Scene& scene, Job& job) {
@@ -269,11 +296,13 @@ Expected<std::shared_ptr<const Grid>> Binder::grid(const Scene& scene, Job& job)
     return kept;
 }
 
-bool Binder::isReady(const Scene& scene) {
-    if (!needsGrid(scene)) return true;
+std::optional<Scene> Binder::missingGrid(const Scene& scene) {
     const std::lock_guard lock(mutex_);
-    const auto found = grids_.find(gridKey(scene));
-    return found != grids_.end() && found->second;
+    for (Scene& one : shapesOf(scene)) {
+        const auto found = grids_.find(gridKey(one));
+        if (isGridded(one) && (found == grids_.end() || !found->second)) return std::move(one);
+    }
+    return std::nullopt;
 }
 
 void Binder::keep(const Scene& scene, std::shared_ptr<const Grid> grid) {
@@ -281,11 +310,11 @@ void Binder::keep(const Scene& scene, std::shared_ptr<const Grid> grid) {
     grids_[gridKey(scene)] = std::move(grid);
 }
 
-Expected<std::shared_ptr<const DistanceField>> Binder::field(const Scene& scene, Job& job) {
-    if (!needsGrid(scene)) {
+Expected<std::shared_ptr<DistanceField>> Binder::field(const Scene& scene, Job& job) {
+    if (!isGridded(scene)) {
         Expected<ShapeTree> tree = parseShape(scene.shape.source);
         if (!tree) return tree.status().in("shape");
-        return std::make_shared<const DistanceField>(std::move(*tree));
+        return std::make_shared<DistanceField>(std::move(*tree));
     }
     Expected<std::shared_ptr<const Grid>> made = grid(scene, job);
     if (!made) return made.status();
@@ -294,7 +323,21 @@ Expected<std::shared_ptr<const DistanceField>> Binder::field(const Scene& scene,
                             : scene.shape.outside == "distance" ? Outside::distance
                             : stored                            ? Outside::border
                                                                 : Outside::distance;
-    return std::make_shared<const DistanceField>(*made, outside);
+    return std::make_shared<DistanceField>(*made, outside);
+}
+
+Expected<std::shared_ptr<const Modulation>> Binder::modulation(const Scene& scene,
+                                                               const ModulationSpec& spec,
+                                                               Job& job) {
+    if (!spec.modulates()) return std::shared_ptr<const Modulation>();
+    std::optional<ModulatingShape> shape;
+    if (!spec.shape.empty()) {
+        Expected<std::shared_ptr<DistanceField>> made = field(withShape(scene, spec.shape), job);
+        if (!made) return made.status().in("modulation");
+        shape = ModulatingShape{std::move(*made), spec.from, spec.to, spec.value};
+    }
+    const bool planar = mapOf(scene).info.algebra == Algebra::complex;
+    return std::make_shared<const Modulation>(std::move(shape), spec.discs, planar);
 }
 
 Expected<OrbitProgram> Binder::bind(const Scene& scene, Job& job) {
@@ -308,9 +351,14 @@ Expected<OrbitProgram> Binder::bind(const Scene& scene, Job& job) {
         for (RootList::Root& root : program.lists.back()) root.power *= list.scale;
     }
     if (map.info.field) {
-        Expected<std::shared_ptr<const DistanceField>> made = field(scene, job);
+        Expected<std::shared_ptr<DistanceField>> made = field(scene, job);
         if (!made) return made.status();
-        program.field = *made;
+        auto alpha = modulation(scene, scene.alphaOverSpace, job);
+        if (!alpha) return alpha.status();
+        auto beta = modulation(scene, scene.betaOverSpace, job);
+        if (!beta) return beta.status();
+        (*made)->modulate(std::move(*alpha), std::move(*beta));
+        program.field = std::move(*made);
     }
     program.ensemble = ensembleOf(scene, program, job);
     if (Status status = bindSlice(scene, program); !status.ok()) return status;

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "fields/evaluate.h"
@@ -19,21 +20,26 @@ class Binder {
   public:
     Expected<OrbitProgram> bind(const Scene& scene, Job& job);
 
-    // The grid of a scene for which needsGrid() is true; made where it is not kept yet.
+    // The grid of the scene's own shape, which must need one; made where it is not kept yet.
     Expected<std::shared_ptr<const Grid>> grid(const Scene& scene, Job& job);
-    // Whether bind() takes no time, since no grid is needed or it is kept.
-    bool isReady(const Scene& scene);
+    // A grid that bind() would have to make first, as a scene with its shape; none where bind()
+    // takes no time.
+    std::optional<Scene> missingGrid(const Scene& scene);
     // Keeps a grid that another binder made of the same scene.
     void keep(const Scene& scene, std::shared_ptr<const Grid> grid);
 
   private:
-    Expected<std::shared_ptr<const DistanceField>> field(const Scene& scene, Job& job);
+    Expected<std::shared_ptr<DistanceField>> field(const Scene& scene, Job& job);
+    // Of alpha or beta; null where it is the same everywhere.
+    Expected<std::shared_ptr<const Modulation>> modulation(const Scene& scene,
+                                                           const ModulationSpec& spec, Job& job);
 
     std::mutex mutex_;
     std::map<std::string, std::shared_ptr<const Grid>> grids_;
 };
 
-// Whether a scene's shape is a mesh, a stored grid or a picture, and not analytic.
+// Whether a scene's shape, or one that alpha or beta follows, is a mesh, a stored grid or a
+// picture, and not analytic.
 bool needsGrid(const Scene& scene);
 
 // The mesh, grid or picture in these bytes as a grid of signed distances (`name` tells by its

@@ -13,7 +13,7 @@ RadialOptions radialOptions(const Scene& scene, double escapeRadius) {
     options.dimensions = mapOf(scene).info.algebra == Algebra::complex ? 2 : 3;
     options.alpha = scene.parameters.at("alpha")[0];
     options.beta = scene.parameters.at("beta")[0];
-    if (scene.parameters.at("as_printed")[0] != 0) options.beta = -options.beta;
+    options.asPrinted = scene.parameters.at("as_printed")[0] != 0;
     options.escapeRadius = escapeRadius;
     const std::vector<double>& shift = scene.parameters.at("shift");
     const auto drop = scene.parameters.find("drop");

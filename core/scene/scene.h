@@ -18,6 +18,7 @@
 #include "maps/catalogue.h"
 #include "maps/formula_map.h"
 #include "scene/ensemble.h"
+#include "scene/modulation.h"
 
 namespace versorium {
 
@@ -104,6 +105,7 @@ struct Scene {
     std::optional<int> criticalStart;                       // instead of `start`
     std::map<std::string, RootList> lists;
     ShapeSpec shape;
+    ModulationSpec alphaOverSpace, betaOverSpace;
     SliceSpec slice;
     int iterations = 200;
     std::optional<double> escapeRadius;  // empty: the map's own

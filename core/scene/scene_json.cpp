@@ -358,6 +358,7 @@ Expected<Scene> sceneFromJson(const Json& value) {
     readStart(reader, scene);
     readLists(reader, scene);
     readShape(reader, scene);
+    readModulation(reader, scene.alphaOverSpace, scene.betaOverSpace);
     readSlice(reader, scene);
     reader.integer("iterations", scene.iterations, 0, kMostIterations);
     if (const Json* radius = reader.child("escape_radius")) {
@@ -385,6 +386,7 @@ Expected<Scene> sceneFromJson(const Json& value) {
     if (const Status status = reader.finish(); !status.ok()) return status;
     if (const Status status = checkNames(scene); !status.ok()) return status;
     if (const Status status = checkEnsemble(scene); !status.ok()) return status;
+    if (const Status status = checkModulation(scene); !status.ok()) return status;
     return scene;
 }
 
@@ -419,6 +421,10 @@ Json sceneToJson(const Scene& scene) {
                              {"padding", scene.shape.padding},
                              {"outside", scene.shape.outside},
                              {"z_fastest", scene.shape.zFastest}};
+    if (scene.alphaOverSpace != ModulationSpec{})
+        json["modulation"]["alpha"] = modulationToJson(scene.alphaOverSpace);
+    if (scene.betaOverSpace != ModulationSpec{})
+        json["modulation"]["beta"] = modulationToJson(scene.betaOverSpace);
     Json axes = Json::array();
     for (const SliceAxis& axis : scene.slice.axes) {
         Json terms = Json::object();

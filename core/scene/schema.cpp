@@ -27,6 +27,14 @@ const std::pair<const char*, const char*> kDescriptions[] = {
     {"shape.padding", "free cells around a mesh"},
     {"shape.outside", "beyond a grid's box: border, distance, or empty for the source's own"},
     {"shape.z_fastest", "a loaded .f3d runs along z first"},
+    {"modulation", "alpha and beta over space; elsewhere they are the parameters"},
+    {"modulation.alpha", "of alpha"},
+    {"modulation.alpha.shape", "a second shape, like shape.source; empty: none"},
+    {"modulation.alpha.between",
+     "distances to it, the smaller first: the value up to there, the parameter from there on"},
+    {"modulation.alpha.value", "within the second shape"},
+    {"modulation.alpha.discs", "painted one over the other: [x, y, z, radius, value]"},
+    {"modulation.beta", "of beta, in the same way"},
     {"slice", "which points of (start x parameters) the picture shows"},
     {"slice.axes", "1 to 3 directions, right and up first: weights of named numbers"},
     {"slice.origin", "where numbers on an axis start from, if not from 0"},
@@ -162,7 +170,9 @@ Json sceneSchema() {
     whole.ensemble.roots.emplace();
     whole.ensemble.ranges.emplace_back();
     whole.ensemble.discs.emplace_back();
-    const Json example = sceneToJson(whole);
+    Json example = sceneToJson(whole);
+    for (const char* number : {"alpha", "beta"})
+        example["modulation"][number] = modulationToJson(ModulationSpec{});
     Json schema = schemaOf(example, "");
     Json result{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                 {"title", "Versorium scene"}};

@@ -15,6 +15,8 @@
 
 namespace versorium {
 
+class Modulation;  // shape/modulation.h
+
 class DistanceField {
   public:
     DistanceField(std::shared_ptr<const Grid> grid, Outside outside)
@@ -25,6 +27,14 @@ class DistanceField {
     const ShapeTree* shape() const { return shape_ ? &*shape_ : nullptr; }
     Outside outside() const { return outside_; }
 
+    // What α and β of a shape modulus are over space; null where they are the same everywhere.
+    const Modulation* alpha() const { return alpha_.get(); }
+    const Modulation* beta() const { return beta_.get(); }
+    void modulate(std::shared_ptr<const Modulation> alpha, std::shared_ptr<const Modulation> beta) {
+        alpha_ = std::move(alpha);
+        beta_ = std::move(beta);
+    }
+
     template <class R>
     R at(const R& x, const R& y, const R& z) const {
         return grid_ ? sampling::gridValue(*grid_, outside_, x, y, z) : distance(*shape_, x, y, z);
@@ -34,6 +44,7 @@ class DistanceField {
     std::shared_ptr<const Grid> grid_;
     std::optional<ShapeTree> shape_;
     Outside outside_ = Outside::distance;
+    std::shared_ptr<const Modulation> alpha_, beta_;
 };
 
 }  // namespace versorium

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shape/modulation.h"
+
 namespace versorium {
 namespace {
 
@@ -93,19 +95,41 @@ Status checkOptions(const RadialOptions& options) {
     return {};
 }
 
-double modulusOf(const RadialOptions& options, double phi) {
-    return exp(std::clamp(options.alpha * (phi - options.beta), -300.0, 300.0));
+// All that α and the offset of φ may be, anywhere.
+struct Controls {
+    std::array<double, 2> alpha, offset;
+};
+Controls controlsOf(const DistanceField& field, const RadialOptions& options) {
+    Controls controls{{options.alpha, options.alpha}, {options.beta, options.beta}};
+    if (field.alpha()) controls.alpha = field.alpha()->rangeFrom(options.alpha);
+    if (field.beta()) controls.offset = field.beta()->rangeFrom(options.beta);
+    if (options.asPrinted) controls.offset = {-controls.offset[1], -controls.offset[0]};
+    return controls;
 }
 
-// r̂ on the ball within radius i is at most that of the largest φ there (least, where α < 0).
-double findCapture(const RadialProfile& profile, const RadialOptions& options) {
+double modulusOf(double alpha, double phi) { return exp(std::clamp(alpha * phi, -300.0, 300.0)); }
+
+// The least and the greatest r̂ where φ lies between two values.
+std::array<double, 2> moduliOf(const Controls& controls, double low, double high) {
+    std::array<double, 2> range{1e300, -1e300};
+    for (double alpha : controls.alpha)
+        for (double phi : {low - controls.offset[1], high - controls.offset[0]}) {
+            range[0] = std::min(range[0], modulusOf(alpha, phi));
+            range[1] = std::max(range[1], modulusOf(alpha, phi));
+        }
+    return range;
+}
+
+// r̂ on the ball within radius i is at most what the values of φ there allow.
+double findCapture(const RadialProfile& profile, const RadialOptions& options,
+                   const Controls& controls) {
     double capture = 0, high = -1e300, low = 1e300;
     const double gap = profile.slope * options.to / (options.radii - 1);
     for (std::size_t i = 0; i < profile.radius.size(); ++i) {
         // Between this radius and the one before, φ is at most half a gap above both.
         high = std::max(high, profile.high[i] + (i > 0 ? 0.5 * gap : 0));
         low = std::min(low, profile.low[i] - (i > 0 ? 0.5 * gap : 0));
-        const double most = std::max(modulusOf(options, high), modulusOf(options, low));
+        const double most = moduliOf(controls, low, high)[1];
         const double radius = profile.radius[i];
         if (radius > 0 && radius <= options.escapeRadius && most <= radius * (1 - kMargin))
             capture = radius;
@@ -114,13 +138,14 @@ double findCapture(const RadialProfile& profile, const RadialOptions& options) {
 }
 
 // From outside inward: r̂ > r on every ring that has been passed.
-double findEscape(const RadialProfile& profile, const RadialOptions& options) {
+double findEscape(const RadialProfile& profile, const RadialOptions& options,
+                  const Controls& controls) {
     double escape = options.escapeRadius;
     const double gap = profile.slope * options.to / (options.radii - 1);
     for (std::size_t i = profile.radius.size() - 1; i > 0; --i) {
         const double low = std::min(profile.low[i - 1], profile.low[i]) - 0.5 * gap;
         const double high = std::max(profile.high[i - 1], profile.high[i]) + 0.5 * gap;
-        const double least = std::min(modulusOf(options, low), modulusOf(options, high));
+        const double least = moduliOf(controls, low, high)[0];
         if (!(least > profile.radius[i])) break;
         escape = std::min(escape, profile.radius[i - 1]);
     }
@@ -153,7 +178,8 @@ Expected<RadialProfile> sampled(const DistanceField& field, const RadialOptions&
         profile.mean[i] = sum / static_cast<double>(directions.all.size());
         profile.low[i] = low - reach;
         profile.high[i] = high + reach;
-        profile.modulus[i] = modulusOf(options, profile.mean[i]);
+        const double beta = options.asPrinted ? -options.beta : options.beta;
+        profile.modulus[i] = modulusOf(options.alpha, profile.mean[i] - beta);
     });
     if (!done) return Status::cancelled();
     return profile;
@@ -166,7 +192,8 @@ Expected<RadialProfile> radialProfile(const DistanceField& field, const RadialOp
     if (Status status = checkOptions(options); !status.ok()) return status;
     Expected<RadialProfile> profile = sampled(field, options, job);
     if (!profile) return profile.status();
-    profile->capture = findCapture(*profile, options);
+    const Controls controls = controlsOf(field, options);
+    profile->capture = findCapture(*profile, options, controls);
     profile->escape = options.escapeRadius;
     if (options.dimensions != 2 || !options.outward) return profile;
     RadialOptions outward = options;
@@ -175,7 +202,7 @@ Expected<RadialProfile> radialProfile(const DistanceField& field, const RadialOp
     outward.points = kOutwardPoints;
     Expected<RadialProfile> whole = sampled(field, outward, job);
     if (!whole) return whole.status();
-    profile->escape = findEscape(*whole, outward);
+    profile->escape = findEscape(*whole, outward, controls);
     return profile;
 }
 

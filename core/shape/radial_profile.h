@@ -16,7 +16,8 @@ namespace versorium {
 struct RadialOptions {
     int dimensions = 2;             // 2: circles in the plane z = 0; 3: spheres
     std::array<double, 3> shift{};  // of the shape against the origin: φ is taken at x - shift
-    double alpha = 8, beta = 0;
+    double alpha = 8, beta = 0;     // where the field does not modulate them
+    bool asPrinted = false;         // S eq 2 with the sign in print: φ + β
     double escapeRadius = 20;
     double to = 2;        // the largest radius
     int radii = 257;      // from 0 to `to`, evenly
@@ -28,7 +29,7 @@ struct RadialProfile {
     // One for each radius. `low` and `high` bound φ on the whole circle or sphere, between the
     // points as well (see `slope`).
     std::vector<double> radius, mean, low, high;
-    std::vector<double> modulus;  // r̂ of the mean
+    std::vector<double> modulus;  // r̂ of the mean, with the options' α and β
     // How fast φ can change: 1 for analytic shapes; of a grid, as much as between its nodes.
     double slope = 1;
     // Orbits that start within `capture` stay within it: r̂ <= capture on that ball. The largest

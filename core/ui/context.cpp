@@ -412,8 +412,8 @@ const OrbitProgram* StudioContext::bind(Bound& bound, const Scene& scene) {
     if (bound.revision != revision) {
         bound.revision = revision;
         bound.program.reset();
-        if (!binder_.isReady(scene)) {
-            askForGrid(scene);
+        if (std::optional<Scene> missing = binder_.missingGrid(scene)) {
+            askForGrid(std::move(*missing));
         } else {
             Job job(1);
             Expected<OrbitProgram> program = binder_.bind(scene, job);
@@ -423,19 +423,14 @@ const OrbitProgram* StudioContext::bind(Bound& bound, const Scene& scene) {
     return bound.program ? &*bound.program : nullptr;
 }
 
-void StudioContext::askForGrid(const Scene& scene) {
+void StudioContext::askForGrid(Scene scene) {
     const auto same = [&](const ShapeSpec& shape) {
         ShapeSpec other = scene.shape;
         other.outside = shape.outside;
         return other == shape;
     };
     if ((gridFor_ && same(gridFor_->shape)) || gridRefused_ == scene.shape.source) return;
-    gridFor_ = sceneOf(mapOf(scene));
-    gridFor_->shape = scene.shape;
-    if (const auto asset = scene.assets.find(
-            scene.shape.source.substr(std::min<std::size_t>(6, scene.shape.source.size())));
-        asset != scene.assets.end())
-        gridFor_->assets.insert(*asset);
+    gridFor_ = std::move(scene);
     ++gridAsked_;
     host.requestPicture({kGridSlot, gridAsked_, sceneToJson(*gridFor_).dump(), {1, 1}, 0});
 }

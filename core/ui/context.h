@@ -195,7 +195,7 @@ struct StudioContext {
         std::optional<OrbitProgram> program;
     };
     const OrbitProgram* bind(Bound& bound, const Scene& scene);
-    void askForGrid(const Scene& scene);
+    void askForGrid(Scene scene);
     Binder binder_;
     std::uint64_t gridAsked_ = 0;  // the request that is under way
     std::optional<Scene> gridFor_;

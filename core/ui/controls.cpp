@@ -8,106 +8,14 @@
 #include "maps/critical.h"
 #include "render/movie.h"
 #include "render/renderer.h"
+#include "ui/control_list.h"
 
 namespace versorium {
 namespace {
 
 constexpr int kProbeIterations = 20000;
 
-// A control with what setting it does; that returns false where the value does not suit.
-struct Entry {
-    Control control;
-    std::function<bool(const std::string&)> set;
-};
-
-class Collector {
-  public:
-    explicit Collector(StudioContext& context) : context_(context) {}
-
-    std::vector<Entry> entries;
-    void begin(std::string group) { group_ = std::move(group); }
-
-    void number(const std::string& id, const std::string& label, double value, double step,
-                double low, double high, std::function<void(double)> set) {
-        const auto change = [=](const std::string& text) {
-            char* end = nullptr;
-            const double wanted = std::strtod(text.c_str(), &end);
-            if (text.empty() || *end != 0 || !(wanted >= low && wanted <= high)) return false;
-            set(wanted);
-            return true;
-        };
-        add({id, group_, label, ControlKind::number, formatNumber(value), step, {}}, change);
-    }
-    void choice(const std::string& id, const std::string& label, const std::string& value,
-                const std::vector<std::string>& options,
-                std::function<void(const std::string&)> set) {
-        const auto change = [=](const std::string& wanted) {
-            if (std::find(options.begin(), options.end(), wanted) == options.end()) return false;
-            if (wanted != value) set(wanted);
-            return true;
-        };
-        add({id, group_, label, ControlKind::choice, value, 0, options}, change);
-    }
-    void toggle(const std::string& id, const std::string& label, bool value,
-                std::function<void(bool)> set) {
-        const auto change = [=](const std::string& wanted) {
-            if (wanted != "on" && wanted != "off") return false;
-            set(wanted == "on");
-            return true;
-        };
-        add({id, group_, label, ControlKind::toggle, value ? "on" : "off", 0, {}}, change);
-    }
-    void colour(const std::string& id, const std::string& label, DisplayColour& value) {
-        const auto change = [&value](const std::string& wanted) {
-            const Expected<Colour> colour = colourFromHex(wanted);
-            if (!colour) return false;
-            const double alpha = value.a;
-            value = displayFromColour(*colour);
-            value.a = alpha;
-            return true;
-        };
-        DisplayColour opaque = value;
-        opaque.a = 1;
-        add({id,
-             group_,
-             label,
-             ControlKind::colour,
-             hexFromColour(colourFromDisplay(opaque)),
-             0,
-             {}},
-            change);
-    }
-    void text(const std::string& id, const std::string& label, const std::string& value,
-              std::function<bool(const std::string&)> set) {
-        entries.push_back({{id, group_, label, ControlKind::text, value, 0, {}}, std::move(set)});
-    }
-    // Commands touch the workspace themselves.
-    void command(const std::string& id, const std::string& label, const std::string& keys,
-                 std::function<void()> run) {
-        const auto change = [run = std::move(run)](const std::string&) {
-            run();
-            return true;
-        };
-        entries.push_back({{id, group_, label, ControlKind::command, keys, 0, {}}, change});
-    }
-
-  private:
-    StudioContext& context_;
-    std::string group_;
-
-    void add(Control control, std::function<bool(const std::string&)> set) {
-        StudioContext* context = &context_;
-        const auto change = [context, set = std::move(set)](const std::string& value) {
-            if (!set(value)) return false;
-            context->welcome = false;
-            context->touch();
-            return true;
-        };
-        entries.push_back({std::move(control), change});
-    }
-};
-
-void collectMap(StudioContext& context, Collector& all) {
+void collectMap(StudioContext& context, ControlList& all) {
     all.begin("Map");
     // Some maps share a title.
     const auto called = [](const MapInfo& info) {
@@ -158,7 +66,7 @@ void collectMap(StudioContext& context, Collector& all) {
     });
 }
 
-void collectParameters(StudioContext& context, Collector& all) {
+void collectParameters(StudioContext& context, ControlList& all) {
     all.begin("Parameters");
     StudioContext* c = &context;
     const MapInfo& info = mapOf(context.workspace.views[0]).info;
@@ -198,7 +106,7 @@ void collectParameters(StudioContext& context, Collector& all) {
     });
 }
 
-void collectOrbit(StudioContext& context, Collector& all) {
+void collectOrbit(StudioContext& context, ControlList& all) {
     all.begin("Orbit");
     StudioContext* c = &context;
     const Scene& scene = context.workspace.view();
@@ -227,7 +135,7 @@ void collectOrbit(StudioContext& context, Collector& all) {
                [c](const std::string& word) { c->workspace.view().escapeTest = word; });
 }
 
-void collectSlice(StudioContext& context, Collector& all) {
+void collectSlice(StudioContext& context, ControlList& all) {
     all.begin("Slice of the marked view");
     StudioContext* c = &context;
     const Scene& scene = context.workspace.view();
@@ -278,7 +186,7 @@ void collectSlice(StudioContext& context, Collector& all) {
     }
 }
 
-void collectStudies(StudioContext& context, Collector& all) {
+void collectStudies(StudioContext& context, ControlList& all) {
     all.begin("Cycles, critical curve, diagram");
     StudioContext* c = &context;
     Workspace& workspace = context.workspace;
@@ -324,14 +232,14 @@ void collectStudies(StudioContext& context, Collector& all) {
                    });
 }
 
-void collectGradient(Collector& all, const std::string& name, Gradient& gradient) {
+void collectGradient(ControlList& all, const std::string& name, Gradient& gradient) {
     all.colour(name + " fast", name + ": colour of the fast", gradient.start);
     all.colour(name + " slow", name + ": colour of the slow", gradient.finish);
     all.number(name + " exponent", name + ": colour exponent", gradient.exponent, 0.1, 0.01, 100,
                [&gradient](double value) { gradient.exponent = value; });
 }
 
-void collectColours(StudioContext& context, Collector& all) {
+void collectColours(StudioContext& context, ControlList& all) {
     all.begin("Colours of the marked view");
     Colouring& colour = context.workspace.view().colour;
     const auto word = [&](const char* id, const char* label, std::string& value,
@@ -371,7 +279,7 @@ void collectColours(StudioContext& context, Collector& all) {
     word("outline", "outline", colour.outline, {"none", "membership", "solid"});
 }
 
-void collectWindow(StudioContext& context, Collector& all) {
+void collectWindow(StudioContext& context, ControlList& all) {
     all.begin("Window");
     StudioContext* c = &context;
     const Workspace& workspace = context.workspace;
@@ -411,7 +319,7 @@ void collectWindow(StudioContext& context, Collector& all) {
         all.command("cancel export", "Cancel the export", "", [c] { c->host.cancelExport(); });
 }
 
-void collectLayers(StudioContext& context, Collector& all) {
+void collectLayers(StudioContext& context, ControlList& all) {
     all.begin("Images behind and in front");
     StudioContext* c = &context;
     Scene& scene = context.workspace.view();
@@ -450,7 +358,7 @@ void collectLayers(StudioContext& context, Collector& all) {
                [c](bool on) { c->imagesAreLayers = on; });
 }
 
-void collectMotion(StudioContext& context, Collector& all) {
+void collectMotion(StudioContext& context, ControlList& all) {
     all.begin("Motion");
     StudioContext* c = &context;
     const StudioContext::Player& player = context.player;
@@ -510,14 +418,14 @@ void collectMotion(StudioContext& context, Collector& all) {
                     [begin] { begin(true); });
 }
 
-void collectCommands(StudioContext& context, Collector& all) {
+void collectCommands(StudioContext& context, ControlList& all) {
     all.begin("Commands");
     for (Command& command : commandsOf(context))
         all.command("do " + command.name, command.name, command.keys, std::move(command.run));
 }
 
-std::vector<Entry> entriesOf(StudioContext& context) {
-    Collector all(context);
+std::vector<ControlEntry> entriesOf(StudioContext& context) {
+    ControlList all(context);
     collectMap(context, all);
     collectParameters(context, all);
     collectOrbit(context, all);
@@ -569,12 +477,12 @@ std::string fate(StudioContext& context) {
 
 std::vector<Control> controlsOf(StudioContext& context) {
     std::vector<Control> controls;
-    for (Entry& entry : entriesOf(context)) controls.push_back(std::move(entry.control));
+    for (ControlEntry& entry : entriesOf(context)) controls.push_back(std::move(entry.control));
     return controls;
 }
 
 bool setControl(StudioContext& context, const std::string& id, const std::string& value) {
-    for (const Entry& entry : entriesOf(context))
+    for (const ControlEntry& entry : entriesOf(context))
         if (entry.control.id == id) return entry.set(value);
     return false;
 }

@@ -336,7 +336,9 @@ bool setBorder(Scene& scene, int border, double value, double aspect) {
 void dropUnnamedAssets(Workspace& workspace) {
     std::set<std::string> named;
     for (const Scene& scene : workspace.views) {
-        named.insert(scene.shape.source);
+        for (const std::string* shape :
+             {&scene.shape.source, &scene.alphaOverSpace.shape, &scene.betaOverSpace.shape})
+            named.insert(*shape);
         for (const Layer& layer : scene.layers)
             named.insert(layer.sources.begin(), layer.sources.end());
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/baselines.h"
 
+#include <cmath>
+
 #include "benchmark/views.h"
 
 namespace versorium::textbook {
@@ -52,6 +54,34 @@ std::int64_t planarDotProducts(int side, double height, int iterations, double s
             total += n;
         }
     return total;
+}
+
+void averagedMembership(int side, double height, int iterations, double alpha,
+                        const DistanceField& shape,
+                        const std::vector<std::vector<RootList::Root>>& members,
+                        std::vector<std::uint32_t>& counts) {
+    const View view{0, 0, height};
+    for (const auto& roots : members)
+        for (int row = 0; row < side; ++row)
+            for (int column = 0; column < side; ++column) {
+                double x = view.u(column, side), y = view.v(row, side);
+                int n = 0;
+                while (n < iterations && x * x + y * y <= 400) {
+                    double re = 1, im = 0;
+                    for (const RootList::Root& root : roots) {
+                        const double a = x - root.q[0], b = y - root.q[1];
+                        const double next = re * a - im * b;
+                        im = re * b + im * a;
+                        re = next;
+                    }
+                    const double phi = shape.at(x, y, 0.0);
+                    const double scale = std::exp(alpha * phi) / std::sqrt(re * re + im * im);
+                    x = scale * re;
+                    y = scale * im;
+                    ++n;
+                }
+                counts[static_cast<std::size_t>(row * side + column)] += x * x + y * y <= 400;
+            }
 }
 
 }  // namespace versorium::textbook

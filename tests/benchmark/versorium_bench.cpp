@@ -10,7 +10,9 @@
 
 #include "benchmark/baselines.h"
 #include "benchmark/views.h"
+#include "fields/ensemble.h"
 #include "maps/formula_map.h"
+#include "render/bind.h"
 #include "render/cpu/cpu_renderer.h"
 
 namespace versorium {
@@ -192,6 +194,64 @@ void addThreads(int threads) {
     })->UseRealTime();
 }
 
+// Members of degree 10, roots in the box of the shape.
+constexpr int kAveragedSide = 64, kAveragedMembers = 100;
+
+OrbitProgram averagedProgram(double alpha) {
+    Scene scene = *sceneOfMap("shape-modulus-complex-rational");
+    scene.parameters["alpha"] = {alpha};
+    scene.shape.source = "star(5, 1.4, 0.7)";
+    scene.iterations = 12;
+    scene.slice.height = 3.2;
+    scene.ensemble.count = kAveragedMembers;
+    scene.ensemble.roots = EnsembleRoots{};
+    scene.ensemble.roots->draw.lowPower = scene.ensemble.roots->draw.highPower = 1;
+    Binder binder;
+    Job job(1);
+    return *binder.bind(scene, job);
+}
+
+void addAveraged(double alpha) {
+    const std::string name = "averaged/alpha-" + std::to_string(static_cast<int>(alpha));
+    const auto program = std::make_shared<OrbitProgram>(averagedProgram(alpha));
+    const auto view = textbook::View{0, 0, 3.2};
+    benchmark::RegisterBenchmark((name + "/scalar").c_str(), [=](benchmark::State& state) {
+        std::vector<std::vector<RootList::Root>> members;
+        OrbitProgram member = *program;
+        for (int k = 0; k < kAveragedMembers; ++k) {
+            program->ensemble->choose(static_cast<std::uint64_t>(k), member);
+            members.push_back(member.lists[0]);
+        }
+        std::vector<std::uint32_t> counts(kAveragedSide * kAveragedSide);
+        for (auto _ : state)
+            textbook::averagedMembership(kAveragedSide, view.height, program->iterations, alpha,
+                                         *program->field, members, counts);
+    });
+    for (Flavour flavour : {Flavour::exact, Flavour::fast}) {
+        const std::string row = name + (flavour == Flavour::fast ? "/fast" : "/exact");
+        benchmark::RegisterBenchmark(row.c_str(), [=](benchmark::State& state) {
+            std::vector<double> u, v;
+            for (int i = 0; i < kAveragedSide * kAveragedSide; ++i) {
+                u.push_back(view.u(i % kAveragedSide, kAveragedSide));
+                v.push_back(view.v(i / kAveragedSide, kAveragedSide));
+            }
+            const double* coordinates[3] = {u.data(), v.data(), nullptr};
+            std::vector<std::uint32_t> counts(u.size());
+            EvaluateOptions options;
+            options.flavour = flavour;
+            constexpr int kTileOfThese = 4096;
+            for (auto _ : state)
+                for (int first = 0; first < static_cast<int>(u.size()); first += kTileOfThese) {
+                    const double* tile[3] = {coordinates[0] + first, coordinates[1] + first,
+                                             nullptr};
+                    countMembers(*program, 0, kAveragedMembers, kTileOfThese, tile,
+                                 counts.data() + first, options);
+                }
+        });
+        ratios().push_back({row, name + "/scalar", "10"});
+    }
+}
+
 void addAll() {
     using textbook::kHome;
     benchmark::RegisterBenchmark("mandelbrot/double/textbook", [](benchmark::State& state) {
@@ -242,6 +302,8 @@ void addAll() {
              wide ? textbook::fmaPeakV4 : textbook::fmaPeakV3);
     }
 #endif
+    addAveraged(8);
+    addAveraged(4);
     addThreads(1);
     addThreads(2);
     ratios().push_back({"mandelbrot/picture/threads-2", "mandelbrot/picture/threads-1", "1.8"});

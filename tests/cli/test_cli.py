@@ -320,6 +320,95 @@ class Results(CommandLine):
         self.assertIn(b"complex plane", self.good("formula", "z^2+c"))
         self.assertIn(b"formula", self.good("maps"))
 
+    def test_random_roots(self):
+        """The same seed gives the same roots, within the region and the powers asked for."""
+        many = ("roots", "--count", "12", "--power", "1,4", "--half", "0.5,0.25,0,0")
+        first = self.good(*many, "--seed", "3", "-o", "-")
+        self.assertEqual(self.good(*many, "--seed", "3", "-o", "-"), first)
+        self.assertNotEqual(self.good(*many, "--seed", "4", "-o", "-"), first)
+        roots = json.loads(first)["roots"]
+        self.assertEqual(len(roots), 12)
+        for root in roots:
+            self.assertLessEqual(abs(root["q"][0]), 0.5)
+            self.assertLessEqual(abs(root["q"][1]), 0.25)
+            self.assertEqual(root["q"][2:], [0, 0])
+            self.assertIn(root["power"], [1, 2, 3, 4])
+        real = json.loads(self.good(*many, "--powers", "real", "-o", "-"))["roots"]
+        self.assertTrue(any(root["power"] != int(root["power"]) for root in real))
+        # They can be used where roots are bound.
+        self.write("roots.json", first)
+        self.good("render", "shape-modulus", "--size", "16x16", "--samples", "1",
+                  "--set", "roots=" + self.path("roots.json"), "-o", self.path("s.png"))
+        # A sheet is a plate of that many candidates.
+        sheet = self.path("sheet.png")
+        self.good("roots", "--map", "shape-modulus-complex-rational", "--candidates", "3",
+                  "--sheet", sheet)
+        panels = json.loads(self.good("scene", sheet))["panels"]
+        self.assertEqual(len(panels), 3)
+
+    def test_the_mean_distance_of_a_disc(self):
+        """Of a disc of radius a about the origin it is r - a on the circle of radius r."""
+        disc = ("profile", "--map", "shape-modulus-quadratic", "--set", "shape=disc(0.6)",
+                "--set", "alpha=8", "--to", "2", "--radii", "21")
+        rows = self.good(*disc).decode().splitlines()
+        self.assertEqual(rows[0], "radius,mean_phi,low,high,modulus")
+        self.assertEqual(len(rows), 22)
+        for row in rows[1:]:
+            radius, mean, low, high, modulus = map(float, row.split(","))
+            self.assertAlmostEqual(mean, radius - 0.6, places=12)
+            self.assertLessEqual(low, mean)
+            self.assertGreaterEqual(high, mean)
+            self.assertAlmostEqual(modulus, math.exp(8 * (radius - 0.6)), delta=1e-9 * modulus)
+        said = json.loads(self.good(*disc, "--json"))
+        # e^{8 (r - 0.6)} = r has two solutions; between them orbits fall.
+        inner, outer = 0.008555, 0.860
+        self.assertGreater(said["capture"], inner)
+        self.assertLess(said["capture"], outer)
+        self.assertGreaterEqual(said["escape"], said["capture"])
+
+    def test_an_averaged_map_goes_on_where_it_stopped(self):
+        """In two portions and in one: the same bytes."""
+        scene = ("render", "--map", "shape-modulus-complex-rational", "--size", "24x24",
+                 "--samples", "1", "--set", "iterations=12", "--set", "alpha=4",
+                 "--set", "shape=star(5, 1.4, 0.7)", "--set", "height=3.2",
+                 "--set", 'ensemble={"roots": {"count": [10, 10], "power": [1, 1]}}',
+                 "--set", "field=mean_membership", "--set", "interior=none")
+        kept = self.path("counts.avg")
+        at = lambda count: ("--set", "ensemble.count=%d" % count)
+        self.good(*scene, *at(20), "--averaged", kept, "-o", self.path("a.png"))
+        self.good(*scene, *at(60), "--averaged", kept, "-o", self.path("b.png"))
+        self.good(*scene, *at(60), "-o", self.path("c.png"))
+        self.assertEqual(self.read("b.png"), self.read("c.png"))
+        self.assertNotEqual(self.read("a.png"), self.read("b.png"))
+        # Counts of another scene are not mixed in.
+        self.refused(DATA, *scene, *at(60), "--set", "alpha=5", "--averaged", kept,
+                     "-o", self.path("d.png"), says="another scene")
+        self.write("counts.avg", self.read("counts.avg")[:-3])
+        self.refused(DATA, *scene, *at(60), "--averaged", kept, "-o", self.path("d.png"),
+                     says="cut or damaged")
+
+    def test_alpha_over_space(self):
+        """A number that is the same everywhere changes no byte; a second shape does."""
+        scene = ("render", "--map", "shape-modulus-complex-rational", "--size", "32x32",
+                 "--samples", "1", "--set", "shape=star(5, 1.4, 0.7)", "--set", "height=3.2")
+        fields = lambda name: ("--save-field", "escape_step=" + self.path(name))
+        picture = self.path("p.png")
+        self.good(*scene, "--set", "alpha=6", *fields("a.npy"), "-o", picture)
+        # Within a disc that covers everything, alpha is 6.
+        self.good(*scene, "--set", "alpha=50", "--set", "modulation.alpha.shape=disc(1000)",
+                  "--set", "modulation.alpha.value=6", *fields("b.npy"), "-o", picture)
+        self.assertEqual(self.read("a.npy"), self.read("b.npy"))
+        half = ("--set", "alpha=50", "--set", "modulation.alpha.shape=half_space(1, 0, 0, 0)",
+                "--set", "modulation.alpha.value=6", "--set", "modulation.alpha.between=-0.2,0.2")
+        self.good(*scene, *half, *fields("c.npy"), "-o", picture)
+        self.good(*scene, "--set", "alpha=50", *fields("d.npy"), "-o", picture)
+        self.assertNotEqual(self.read("c.npy"), self.read("b.npy"))
+        self.assertNotEqual(self.read("c.npy"), self.read("d.npy"))
+        # The picture carries it.
+        self.good(*scene, *half, "-o", picture)
+        said = json.loads(self.good("scene", picture))
+        self.assertEqual(said["modulation"]["alpha"]["between"], [-0.2, 0.2])
+
     def test_standard_output(self):
         png = self.good("render", "julia", "-o", "-", "--size", "20x20")
         self.assertTrue(png.startswith(b"\x89PNG"))
@@ -361,6 +450,29 @@ class BadInput(CommandLine):
         diagram["panels"][0]["diagram"]["parameter"] = "q"
         self.refused(USAGE, "plate", self.write("d.json", json.dumps(diagram)), *self.out(),
                      says=("panel a", "\"q\""))
+
+    def test_random_roots(self):
+        self.refused(USAGE, "roots", "--count", "0", "-o", "-")
+        self.refused(USAGE, "roots", "--power", "4,1", "-o", "-", says="power")
+        self.refused(USAGE, "roots", "--map", "quadratic", "-o", self.path("r.json"), says="roots")
+        self.refused(USAGE, "profile", "mandelbrot", says="no shape")
+
+    def test_shapes(self):
+        star = ("render", "--map", "shape-modulus-complex-rational", "--size", "8x8",
+                "-o", self.path("s.png"))
+        self.refused(USAGE, *star, "--set", "shape=star(5, 1.4", says="character")
+        self.refused(USAGE, *star, "--set", "modulation.alpha.between=1,0", says="smaller")
+        self.refused(USAGE, *star, "--set", "modulation.alpha.discs=[[0,0,0,0,1]]", says="radius")
+        self.refused(USAGE, "render", "mandelbrot", "-o", self.path("m.png"),
+                     "--set", "modulation.alpha.value=3", says="modulation")
+        # Extremes, a root on the origin, a shape without the origin: a picture without NaN.
+        roots = self.write("zero.json", '{"scale": 1, "roots": [{"q": [0,0,0,0], "power": 3}]}')
+        for extreme in ("alpha=1e9", "alpha=-1e9", "roots=" + roots,
+                        "shape=translate(3, 0, disc(0.5))", "beta=1e9"):
+            self.good(*star, "--set", extreme, "--save-field",
+                      "image_modulus=" + self.path("m.npy"))
+            _, values = self.numbers("m.npy")
+            self.assertTrue(all(value == value for value in values), extreme)
 
     def test_formulas(self):
         for arguments in (("render", "--map", "z^2 + * c", *self.out()),

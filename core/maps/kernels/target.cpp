@@ -6,6 +6,7 @@
 #include "maps/catalogue_maps.h"
 #include "maps/formula_step.h"
 #include "maps/kernels/escape.h"
+#include "maps/kernels/stepwise.h"
 
 namespace versorium {
 inline namespace VERSORIUM_TARGET {
@@ -14,7 +15,10 @@ namespace {
 template <class M, class T>
 void escapeWith(OrbitBatch<T>& batch) {
     using R = typename BlockOf<registersOf<M, T>(), T>::type;
-    EscapeKernel<M, R>(batch).run();
+    if constexpr (requires { M::kStepwise; })
+        StepwiseKernel<M, R>(batch).run();
+    else
+        EscapeKernel<M, R>(batch).run();
 }
 
 // The first of the map's shorter forms that applies, else the map itself.

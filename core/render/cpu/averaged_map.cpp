@@ -25,7 +25,9 @@ std::string keyOf(Scene scene, Size size) {
     if (scene.ensemble.set != "solid") scene.iso = 0;
     std::map<std::string, std::shared_ptr<const Asset>> used;
     for (const auto& [hash, asset] : scene.assets)
-        if (scene.shape.source == "asset:" + hash) used[hash] = asset;
+        for (const std::string* shape :
+             {&scene.shape.source, &scene.alphaOverSpace.shape, &scene.betaOverSpace.shape})
+            if (*shape == "asset:" + hash) used[hash] = asset;
     scene.assets = used;
     const std::string text = printJson(sceneToJson(scene)) + std::to_string(size.width) + "x" +
                              std::to_string(size.height);

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// How the list of controls (ui/controls.h) is put together: each panel's file adds its own part to
+// one ControlList, with what setting each control does.
+
+#include <algorithm>
+#include <cstdlib>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ui/controls.h"
+
+namespace versorium {
+
+// A control with what setting it does; that returns false where the value does not suit.
+struct ControlEntry {
+    Control control;
+    std::function<bool(const std::string&)> set;
+};
+
+class ControlList {
+  public:
+    explicit ControlList(StudioContext& context) : context_(context) {}
+
+    std::vector<ControlEntry> entries;
+    void begin(std::string group) { group_ = std::move(group); }
+
+    void number(const std::string& id, const std::string& label, double value, double step,
+                double low, double high, std::function<void(double)> set) {
+        const auto change = [=](const std::string& text) {
+            char* end = nullptr;
+            const double wanted = std::strtod(text.c_str(), &end);
+            if (text.empty() || *end != 0 || !(wanted >= low && wanted <= high)) return false;
+            set(wanted);
+            return true;
+        };
+        add({id, group_, label, ControlKind::number, formatNumber(value), step, {}}, change);
+    }
+    void choice(const std::string& id, const std::string& label, const std::string& value,
+                const std::vector<std::string>& options,
+                std::function<void(const std::string&)> set) {
+        const auto change = [=](const std::string& wanted) {
+            if (std::find(options.begin(), options.end(), wanted) == options.end()) return false;
+            if (wanted != value) set(wanted);
+            return true;
+        };
+        add({id, group_, label, ControlKind::choice, value, 0, options}, change);
+    }
+    void toggle(const std::string& id, const std::string& label, bool value,
+                std::function<void(bool)> set) {
+        const auto change = [=](const std::string& wanted) {
+            if (wanted != "on" && wanted != "off") return false;
+            set(wanted == "on");
+            return true;
+        };
+        add({id, group_, label, ControlKind::toggle, value ? "on" : "off", 0, {}}, change);
+    }
+    void colour(const std::string& id, const std::string& label, DisplayColour& value) {
+        const auto change = [&value](const std::string& wanted) {
+            const Expected<Colour> colour = colourFromHex(wanted);
+            if (!colour) return false;
+            const double alpha = value.a;
+            value = displayFromColour(*colour);
+            value.a = alpha;
+            return true;
+        };
+        DisplayColour opaque = value;
+        opaque.a = 1;
+        add({id,
+             group_,
+             label,
+             ControlKind::colour,
+             hexFromColour(colourFromDisplay(opaque)),
+             0,
+             {}},
+            change);
+    }
+    void text(const std::string& id, const std::string& label, const std::string& value,
+              std::function<bool(const std::string&)> set) {
+        entries.push_back({{id, group_, label, ControlKind::text, value, 0, {}}, std::move(set)});
+    }
+    // Commands touch the workspace themselves.
+    void command(const std::string& id, const std::string& label, const std::string& keys,
+                 std::function<void()> run) {
+        const auto change = [run = std::move(run)](const std::string&) {
+            run();
+            return true;
+        };
+        entries.push_back({{id, group_, label, ControlKind::command, keys, 0, {}}, change});
+    }
+
+  private:
+    StudioContext& context_;
+    std::string group_;
+
+    void add(Control control, std::function<bool(const std::string&)> set) {
+        StudioContext* context = &context_;
+        const auto change = [context, set = std::move(set)](const std::string& value) {
+            if (!set(value)) return false;
+            context->welcome = false;
+            context->touch();
+            return true;
+        };
+        entries.push_back({std::move(control), change});
+    }
+};
+
+}  // namespace versorium
