@@ -47,6 +47,16 @@ export const fragment = (page) => page.evaluate(() => window.versorium.fragment(
 export const changed = (page, before) =>
   waitFor(page, (was) => window.versorium.fragment() !== was, before);
 
+// The state has changed, and changes no more.
+export async function settled(page, before) {
+  await changed(page, before);
+  for (let now = "", last = null; now !== last; ) {
+    last = now;
+    await page.waitForTimeout(400);
+    now = await fragment(page);
+  }
+}
+
 // The page served on this machine: the server's process and its address.
 export function serve(root) {
   const server = spawn("python3", [join(root, "scripts/serve"), "--port", "0"]);

@@ -7,7 +7,7 @@ import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "nod
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { filesOf } from "../../web/page/film.mjs";
-import { changed, finished, fragment, look, open, patience, prepare, runAll, serve, unpacked, waitFor } from "./browser.mjs";
+import { changed, finished, fragment, look, open, patience, prepare, runAll, serve, settled, unpacked, waitFor } from "./browser.mjs";
 
 const [root, program, screenshots] = process.argv.slice(2);
 const { browser } = await prepare(root);
@@ -65,7 +65,8 @@ const tests = {
     await finished(page);
     await find(page, "analysis: planar-set");
     await finished(page);
-    const before = await state(page);
+    const whole = await fragment(page);
+    const before = unpacked(whole);
     assert.equal(before.views.length, 5);
     await shoot(page, "analysis");
     // Ctrl and a click bring the marked view's place there.
@@ -73,8 +74,9 @@ const tests = {
     await page.keyboard.down("Control");
     await page.mouse.click(250, 200);
     await page.keyboard.up("Control");
-    await page.waitForTimeout(700);
-    const after = await state(page);
+    await settled(page, whole);
+    const clicked = await fragment(page);
+    const after = unpacked(clicked);
     const numbers = ({ views }) => views.map(({ parameters }) => JSON.stringify(parameters));
     const [old, now] = [numbers(before), numbers(after)];
     assert.deepEqual(now.map((text, k) => text !== old[k]), [false, false, false, true, false]);
@@ -83,13 +85,16 @@ const tests = {
     await page.mouse.down();
     await page.mouse.move(290, 240, { steps: 6 });
     await page.mouse.up();
-    await page.waitForTimeout(700);
+    await settled(page, clicked);
     assert.deepEqual(numbers(await state(page)).map((text, k) => text !== now[k]),
       [false, false, false, true, false]);
     await finished(page);
     await shoot(page, "analysis-dragged");
+    // Undo takes the place back to where the drag began.
+    const dragged = await fragment(page);
     await page.keyboard.press("Control+z");
-    await waitFor(page, (was) => window.versorium.fragment() === was, await fragment(page));
+    await changed(page, dragged);
+    assert.deepEqual(numbers(await state(page)), now);
     assert.deepEqual(page.faults, []);
     await page.context().close();
   },
