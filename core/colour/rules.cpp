@@ -8,7 +8,9 @@
 namespace versorium {
 namespace {
 
-constexpr double kTurn = 6.283185307179586;
+constexpr double kTurn = 6.283185307179586, kLog2 = 0.6931471805599453;
+// Of domain colours: rays in a turn, and the light just past a ring or a ray.
+constexpr double kRays = 12, kDarkRing = 0.55, kDarkRay = 0.82;
 
 double cut(double x) { return x > 0 ? (x < 1 ? x : 1.0) : 0.0; }
 
@@ -56,5 +58,17 @@ Colour versorColour(double i, double j, double k) {
 }
 
 Colour phaseColour(const Palette& palette, double angle) { return palette.at(angle / kTurn); }
+
+Colour domainColour(const Palette& palette, double modulus, double angle) {
+    if (std::isnan(modulus) || std::isnan(angle)) return palette.undefined;
+    if (modulus == 0) return {0, 0, 0, 1};
+    if (std::isinf(modulus)) return {1, 1, 1, 1};
+    const auto fraction = [](double x) { return x - std::floor(x); };
+    const double ring = fraction(log(modulus) / kLog2), ray = fraction(angle / kTurn * kRays);
+    DisplayColour colour = displayFromColour(phaseColour(palette, angle));
+    const double light = (kDarkRing + (1 - kDarkRing) * ring) * (kDarkRay + (1 - kDarkRay) * ray);
+    for (double* part : {&colour.r, &colour.g, &colour.b}) *part *= light;
+    return colourFromDisplay(colour);
+}
 
 }  // namespace versorium

@@ -60,4 +60,10 @@ Colour versorColour(double i, double j, double k);
 // An angle in radians on a cyclic palette, 0 at its beginning. NaN gives palette.undefined.
 Colour phaseColour(const Palette& palette, double angle);
 
+// A complex value as a colour, with the grid of its polar coordinates: the argument on a cyclic
+// palette, darker where |f| has just passed a power of two, and a little darker where the argument
+// has just passed a multiple of π/6, so that both families of lines are seen as edges, in grey as
+// well. 0 is black, infinity white, NaN palette.undefined.
+Colour domainColour(const Palette& palette, double modulus, double angle);
+
 }  // namespace versorium

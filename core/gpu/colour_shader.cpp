@@ -176,6 +176,15 @@ vec4 versorColour(vec4 image) {
                                    : v.yzw;
     return vec4(linearFromSrgb(clamp(0.5 * (parts + 1.0), 0.0, 1.0)), 1.0);
 }
+vec4 domainColour(float modulus, float angle) {
+    if (isUndefined(modulus) || isUndefined(angle)) return uUndefinedColour;
+    if (modulus == 0.0) return vec4(0.0, 0.0, 0.0, 1.0);
+    if (isInfinite(modulus)) return vec4(1.0);
+    vec4 c = paletteAt(angle / (2.0 * kPi));
+    float ring = fract(log2(modulus)), ray = fract(angle * 6.0 / kPi);
+    float light = mix(0.55, 1.0, ring) * mix(0.82, 1.0, ray);
+    return vec4(linearFromSrgb(srgbFromLinear(c.rgb) * light), c.a);
+}
 vec4 colourOf(vec4 kept, vec4 image) {
     if (uRule == RULE_GRADIENT) return gradientColour(kept, image);
     if (uRule == RULE_VERSOR) return versorColour(image);
@@ -183,6 +192,7 @@ vec4 colourOf(vec4 kept, vec4 image) {
         float angle = argumentOf(image);
         return isUndefined(angle) ? uUndefinedColour : paletteAt(angle / (2.0 * kPi));
     }
+    if (uRule == RULE_DOMAIN) return domainColour(modulusOf(image), argumentOf(image));
     if (uInterior >= 0 && fieldOf(uInterior, kept, image) != 0.0) return uInteriorColour;
     // A versor on a scale shows its first component.
     float value = uShown == VERSOR ? versorOf(image).x : fieldOf(uShown, kept, image);
@@ -236,6 +246,7 @@ std::string colourShader() {
     define(text, "RULE_GRADIENT", static_cast<int>(GpuRule::gradient));
     define(text, "RULE_VERSOR", static_cast<int>(GpuRule::versor));
     define(text, "RULE_PHASE", static_cast<int>(GpuRule::phase));
+    define(text, "RULE_DOMAIN", static_cast<int>(GpuRule::domain));
     define(text, "RULE_RAW", static_cast<int>(GpuRule::raw));
     return text + kFieldText + kColourText;
 }

@@ -10,7 +10,7 @@
 namespace versorium {
 
 // Values of uRule; `raw` writes the field's own numbers.
-enum class GpuRule { palette, gradient, versor, phase, raw };
+enum class GpuRule { palette, gradient, versor, phase, domain, raw };
 
 std::string colourShader();
 

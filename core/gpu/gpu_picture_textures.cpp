@@ -279,6 +279,7 @@ GLuint GpuPicture::texture() {
         const GpuRule rule = word == "gradient" ? GpuRule::gradient
                              : word == "versor" ? GpuRule::versor
                              : word == "phase"  ? GpuRule::phase
+                             : word == "domain" ? GpuRule::domain
                                                 : GpuRule::palette;
         const Status status = colourInto(names_.pictureFrame, size_, static_cast<int>(rule),
                                          pass_->shown(), options_.samples);

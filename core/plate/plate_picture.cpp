@@ -78,6 +78,19 @@ Expected<PlateDocument> plateNamed(const std::string& name) {
     return plate ? std::move(plate) : plate.status().in("plate " + name);
 }
 
+Document documentOfPlate(const PlateDocument& document) {
+    Document carried;
+    carried.kind = "plate";
+    carried.body = plateToJson(document.plate);
+    carried.assets = assetsInUse(document);
+    carried.render = Json{{"width_mm", document.options.widthMillimetres},
+                          {"dpi", document.options.dotsPerInch},
+                          {"theme", document.options.theme},
+                          {"title", document.options.title},
+                          {"caption", document.options.caption}};
+    return carried;
+}
+
 Status assign(PlateDocument& document, const Assignment& assignment) {
     const std::size_t dot = assignment.key.find('.');
     const std::string first = assignment.key.substr(0, dot);
@@ -117,20 +130,11 @@ Expected<PlateFile> renderPlate(CpuRenderer& renderer, const PlateDocument& docu
         document.plate, document.options,
         scenePanels(renderer, document.assets, job, std::max(1, static_cast<int>(panels))));
     if (!picture) return picture.status();
-    Document carried;
-    carried.kind = "plate";
-    carried.body = plateToJson(document.plate);
-    carried.assets = assetsInUse(document);
-    carried.render = Json{{"width_mm", document.options.widthMillimetres},
-                          {"dpi", document.options.dotsPerInch},
-                          {"theme", document.options.theme},
-                          {"title", document.options.title},
-                          {"caption", document.options.caption}};
     PngOptions png;
     png.dotsPerInch = picture->dotsPerInch;
     png.texts = {{"Software", "Versorium"},
                  {"Description", picture->alternativeText},
-                 {kDocumentKeyword, printJson(documentToJson(carried))}};
+                 {kDocumentKeyword, printJson(documentToJson(documentOfPlate(document)))}};
     if (picture->alternativeText.empty()) png.texts.erase(png.texts.begin() + 1);
     Expected<std::vector<unsigned char>> bytes = encodePng(picture->pixels, png);
     if (!bytes) return bytes.status();

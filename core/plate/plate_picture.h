@@ -19,6 +19,9 @@ std::vector<std::string> plateNames();
 Expected<PlateDocument> plateNamed(const std::string& name);
 Expected<PlateDocument> plateFromDocument(const Document& document);
 
+// The document that makes it again: what its PNG carries.
+Document documentOfPlate(const PlateDocument& plate);
+
 // A bare key reaches every panel whose scene has it, "b.alpha" the panel named b. A key that none
 // has is ErrorKind::usage.
 Status assign(PlateDocument& plate, const Assignment& assignment);

@@ -12,6 +12,7 @@
 #include "render/shape_profile.h"
 #include "render/system_of.h"
 #include "scene/numbers.h"
+#include "scene/shape_name.h"
 
 namespace versorium {
 namespace {
@@ -78,9 +79,7 @@ std::map<std::string, std::string> factsOf(const Scene& scene, const OrbitProgra
     facts["escape_radius"] = number(program.escapeRadius);
     facts["height"] = number(scene.slice.height);
     facts["iso"] = number(scene.iso);
-    facts["shape"] = scene.shape.source.starts_with("asset:") && !scene.assets.empty()
-                         ? scene.assets.begin()->second->name
-                         : scene.shape.source;
+    facts["shape"] = shapeName(scene, scene.shape.source);
     for (const ParameterInfo& parameter : info.parameters) {
         const std::string name(parameter.name);
         facts[name] = valueText(parameter, scene.parameters.at(name));
@@ -120,6 +119,12 @@ std::string sceneSentence(const Scene& scene) {
                 sliced = sliced || term == name || term.starts_with(name + ".");
         if (!sliced && !zero) values += ", " + name + " = " + valueText(parameter, value);
     }
+    if (info.field) values += "; shape: " + shapeName(scene, scene.shape.source);
+    for (const auto& [name, spec] :
+         {std::pair{"alpha", &scene.alphaOverSpace}, std::pair{"beta", &scene.betaOverSpace}})
+        if (info.field && spec->modulates())
+            values += std::string(", ") + name + " differs over space" +
+                      (spec->discs.empty() ? "" : " as painted");
     text += values + "; on the plane of ";
     for (std::size_t k = 0; k < scene.slice.axes.size(); ++k)
         text += (k > 0 ? " and " : "") + axisLabel(scene.slice.axes[k]);
@@ -128,6 +133,9 @@ std::string sceneSentence(const Scene& scene) {
     text += scene.colour.rule == "gradient" ? "coloured by the escape step"
             : scene.colour.rule == "versor" ? "coloured by the versor"
             : scene.colour.rule == "phase"  ? "coloured by the argument"
+            : scene.colour.rule == "domain" ? "coloured by the argument, with edges where the "
+                                              "modulus is a power of 2 and the argument a multiple "
+                                              "of π/6"
                                             : "coloured by the field " + scene.colour.field;
     if (scene.ensemble.varies())
         text += "; an ensemble of " + std::to_string(scene.ensemble.count) + " maps, seed " +
@@ -162,7 +170,7 @@ Expected<PanelInfo> describeScene(CpuRenderer& renderer, const Scene& scene, Job
                                      ? "ln of the " + std::string(field.label)
                                      : std::string(field.label),
                                  pass->scale(), pass->palette()};
-        if (colouring.interior != "none" && !twoValued)
+        if (colouring.rule == "palette" && colouring.interior != "none" && !twoValued)
             info.legend.push_back({pass->palette().interior, colouring.interior == "solid"
                                                                  ? "solid set"
                                                                  : "members after N"});

@@ -14,11 +14,14 @@
 #include "shape/bounds.h"
 #include "shape/image_distance.h"
 #include "shape/mesh_distance.h"
+#include "shape/outline.h"
 
 namespace versorium {
 namespace {
 
 constexpr std::string_view kMeshes = "meshes/", kAsset = "asset:";
+// An outline's grid has no third side, so it may be so much finer than a mesh's.
+constexpr int kOutlineNodes = 4;
 
 bool endsWith(const std::string& name, std::string_view ending) {
     if (name.size() < ending.size()) return false;
@@ -86,7 +89,8 @@ std::vector<Scene> shapesOf(const Scene& scene) {
 }
 
 bool isGridded(const Scene& scene) {
-    return scene.shape.source.starts_with(kAsset) || !embedded(meshFile(scene)).empty();
+    return isOutline(scene.shape.source) || scene.shape.source.starts_with(kAsset) ||
+           !embedded(meshFile(scene)).empty();
 }
 
 std::size_t numberIndex(const Scene& scene, const NumberRef& ref, OrbitProgram& program) {
@@ -277,6 +281,23 @@ Expected<Grid> gridFromBytes(std::span<const unsigned char> bytes, const std::st
     return std::move(made->grid);
 }
 
+namespace {
+
+Expected<Grid> gridOf(const Scene& scene, Job& job) {
+    if (isOutline(scene.shape.source)) {
+        Expected<std::vector<glm::dvec2>> corners = parseOutline(scene.shape.source);
+        if (!corners) return corners.status();
+        return outlineDistance(*corners, kOutlineNodes * scene.shape.resolution, job);
+    }
+    Expected<NamedBytes> file = shapeFile(scene);
+    if (!file) return file.status();
+    Expected<Grid> made = gridFromBytes(file->bytes, file->name, scene.shape, job);
+    if (!made) return made.status().in(file->name);
+    return made;
+}
+
+}  // namespace
+
 bool needsGrid(const Scene& scene) {
     for (const Scene& one : shapesOf(scene))
         if (isGridded(one)) return true;
@@ -284,13 +305,11 @@ bool needsGrid(const Scene& scene) {
 }
 
 Expected<std::shared_ptr<const Grid>> Binder::grid(const Scene& scene, Job& job) {
-    Expected<NamedBytes> file = shapeFile(scene);
-    if (!file) return file.status();
     const std::lock_guard lock(mutex_);
     std::shared_ptr<const Grid>& kept = grids_[gridKey(scene)];
     if (!kept) {
-        Expected<Grid> made = gridFromBytes(file->bytes, file->name, scene.shape, job);
-        if (!made) return made.status().in("shape " + file->name);
+        Expected<Grid> made = gridOf(scene, job);
+        if (!made) return made.status().in("shape");
         kept = std::make_shared<const Grid>(std::move(*made));
     }
     return kept;
@@ -318,7 +337,7 @@ Expected<std::shared_ptr<DistanceField>> Binder::field(const Scene& scene, Job& 
     }
     Expected<std::shared_ptr<const Grid>> made = grid(scene, job);
     if (!made) return made.status();
-    const bool stored = isGridName(shapeFile(scene)->name);
+    const bool stored = !isOutline(scene.shape.source) && isGridName(shapeFile(scene)->name);
     const Outside outside = scene.shape.outside == "border"     ? Outside::border
                             : scene.shape.outside == "distance" ? Outside::distance
                             : stored                            ? Outside::border

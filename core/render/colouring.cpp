@@ -88,8 +88,9 @@ Expected<ColourPass> ColourPass::make(const Scene& scene, const OrbitProgram& pr
         pass.rule_ = Rule::versor;
         pass.shown_ = FieldName::versor;
         pass.shownAt_ = pass.ask(FieldName::versor);
-    } else if (colouring.rule == "phase") {
-        pass.rule_ = Rule::phase;
+    } else if (colouring.rule == "phase" || colouring.rule == "domain") {
+        pass.rule_ = colouring.rule == "phase" ? Rule::phase : Rule::domain;
+        if (pass.rule_ == Rule::domain) pass.modulusAt_ = pass.ask(FieldName::imageModulus);
         pass.shown_ = FieldName::argument;
         pass.shownAt_ = pass.ask(FieldName::argument);
         pass.scale_ = {ScaleKind::cyclic, -kPi, kPi};
@@ -134,6 +135,9 @@ Colour ColourPass::colour(const std::vector<std::vector<double>>& values, std::s
         }
         case Rule::phase:
             return phaseColour(palette_, values[static_cast<std::size_t>(shownAt_)][i]);
+        case Rule::domain:
+            return domainColour(palette_, values[static_cast<std::size_t>(modulusAt_)][i],
+                                values[static_cast<std::size_t>(shownAt_)][i]);
         default:
             break;
     }

@@ -36,12 +36,13 @@ class ColourPass {
     int ask(FieldName field);
     Colour gradient(const std::vector<std::vector<double>>& values, std::size_t i) const;
 
-    enum class Rule { palette, gradient, versor, phase };
+    enum class Rule { palette, gradient, versor, phase, domain };
     Rule rule_ = Rule::palette;
     FieldName shown_ = FieldName::smoothEscape;
     std::vector<FieldName> fields_;
     int shownAt_ = -1, interiorField_ = -1, outlineField_ = -1;
-    int stepsAt_ = -1, normAt_ = -1, memberAt_ = -1, attractedAt_ = -1, smoothAt_ = -1;
+    int stepsAt_ = -1, normAt_ = -1, memberAt_ = -1, attractedAt_ = -1, smoothAt_ = -1,
+        modulusAt_ = -1;
     Scale scale_;
     Palette palette_;
     Colour outlineColour_;

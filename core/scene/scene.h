@@ -61,7 +61,7 @@ struct TrapSpec {
 };
 
 struct Colouring {
-    std::string rule = "palette";  // palette, gradient (A eqs 14-15), versor or phase
+    std::string rule = "palette";  // palette, gradient (A eqs 14-15), versor, phase, domain
     std::string field = "smooth_escape";
     std::string palette = "versorium";  // a built-in one, or the name of `ownPalette`
     Json ownPalette;                    // a palette (colour/palette.h) of the scene's own, or null

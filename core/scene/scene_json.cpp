@@ -197,7 +197,7 @@ void readColour(ObjectReader& reader, Scene& scene) {
     if (!found) return;
     Colouring& c = scene.colour;
     ObjectReader colour(*found, reader.pathOf("colour"));
-    colour.word("rule", c.rule, {"palette", "gradient", "versor", "phase"})
+    colour.word("rule", c.rule, {"palette", "gradient", "versor", "phase", "domain"})
         .word("field", c.field, fieldWords())
         .boolean("reverse", c.reverse)
         .word("scale", c.scale, {"", "linear", "log", "truncated_log", "sqrt", "cyclic"})

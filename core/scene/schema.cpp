@@ -91,7 +91,7 @@ const std::pair<const char*, const char*> kDescriptions[] = {
 };
 
 Json allowedWords(const std::string& path) {
-    if (path == "colour.rule") return words({"palette", "gradient", "versor", "phase"});
+    if (path == "colour.rule") return words({"palette", "gradient", "versor", "phase", "domain"});
     if (path == "colour.scale")
         return words({"", "linear", "log", "truncated_log", "sqrt", "cyclic"});
     if (path == "colour.interior" || path == "colour.outline")

@@ -4,11 +4,14 @@
 #include <cctype>
 
 #include "imgui.h"
+#include "plate/plate_picture.h"
 #include "render/movie.h"
 #include "ui/context.h"
 #include "ui/help.h"
 #include "ui/keys.h"
+#include "ui/open_file.h"
 #include "ui/planar_change.h"
+#include "ui/shape_change.h"
 
 namespace versorium {
 namespace {
@@ -159,6 +162,12 @@ std::vector<Command> commandsOf(StudioContext& context) {
          [c] { c->workspace.study.criticalCurve = !c->workspace.study.criticalCurve, c->touch(); }},
         {"The same pictures as a complex map", "", [c] { showAsComplexMap(*c); }},
         {"The same pictures as a planar system", "", [c] { showAsPlanarSystem(*c); }},
+        {"Draw the outline of a shape", "D", [c] { chooseTool(*c, Drawing::Tool::outline); }},
+        {"Paint α", "", [c] { chooseTool(*c, Drawing::Tool::alpha); }},
+        {"Paint β", "", [c] { chooseTool(*c, Drawing::Tool::beta); }},
+        {"Modulus, versor, log-modulus and members side by side: S Fig 2", "M",
+         [c] { showModulusAndVersor(*c); }},
+        {"S eq 2 as it is printed, φ + β, beside φ − β", "", [c] { showAsPrinted(*c); }},
         {"Play or pause the animation", "Space",
          [c] {
              if (c->animation.number.empty())
@@ -225,7 +234,8 @@ void handleKeys(StudioContext& context) {
         {ImGuiKey_V, "Ctrl V"}, {ImGuiKey_S, "Ctrl S"}};
     for (const auto& [key, name] : commands)
         if (pressed(key, true)) run(name);
-    if (context.dialogOpen()) return;
+    if (context.dialogOpen() || drawingKeys(context)) return;
+    if (pressed(ImGuiKey_D, false)) run("D");
     if (pressed(ImGuiKey_Home, false)) run("Home");
     if (pressed(ImGuiKey_Backspace, false))
         run(shifted(ImGuiKey_Backspace) ? "Shift Backspace" : "Backspace");
@@ -233,6 +243,7 @@ void handleKeys(StudioContext& context) {
     if (pressed(ImGuiKey_C, false)) run("C");
     if (pressed(ImGuiKey_F, false)) run(shifted(ImGuiKey_F) ? "Shift F" : "F");
     if (pressed(ImGuiKey_G, false)) run("G");
+    if (pressed(ImGuiKey_M, false)) run("M");
     if (pressed(ImGuiKey_N, false)) run("N");
     if (pressed(ImGuiKey_P, false)) run("P");
     if (pressed(ImGuiKey_R, false)) run(shifted(ImGuiKey_R) ? "Shift R" : "R");
@@ -305,6 +316,19 @@ void drawSearch(StudioContext& context) {
                            [&context, name] { context.newMap(name); }});
     }
     for (Command& command : commandsOf(context)) entries.push_back(std::move(command));
+    for (const std::string& name : plateNames()) {
+        entries.push_back({"Plate: " + name + ", its first panel", "", [&context, name] {
+                               const Expected<PlateDocument> plate = plateNamed(name);
+                               if (!plate) return context.report(plate.status());
+                               context.report(openPlate(context, name, *plate));
+                           }});
+        entries.push_back({"Export the plate " + name, "", [&context, name] {
+                               context.exporting.plate = true;
+                               context.exporting.motion = false;
+                               context.exporting.builtIn = name;
+                               context.exportOpen = true;
+                           }});
+    }
     for (Command& command : formulaCommands(context, question))
         entries.push_back(std::move(command));
     const Command* chosen = nullptr;

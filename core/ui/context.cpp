@@ -218,7 +218,8 @@ void StudioContext::newMap(const std::string& name) {
 void StudioContext::mark(int view) {
     if (workspace.focused == view) return;
     workspace.focused = view;
-    if (workspace.analysis()) ++revision;  // other numbers are shown
+    // Other numbers are shown.
+    if (workspace.analysis() || mapOf(workspace.view()).info.field) ++revision;
 }
 
 void StudioContext::visit(int view) {
@@ -395,9 +396,11 @@ void StudioContext::beginExport(const ExportOptions& options, bool toClipboard) 
     if (!document) return report(document.status());
     copying = toClipboard;
     const bool film = options.film && host.makesFilms();
-    const std::string name = workspace.view().map + (options.motion  ? film ? ".webm" : ".zip"
-                                                     : options.plate ? "-plate.png"
-                                                                     : ".png");
+    const std::string what =
+        options.plate && !options.builtIn.empty() ? options.builtIn : workspace.view().map;
+    const std::string name = what + (options.motion  ? film ? ".webm" : ".zip"
+                                     : options.plate ? "-plate.png"
+                                                     : ".png");
     host.startExport({printJson(documentToJson(*document)), name, toClipboard});
     host.wake();
 }

@@ -13,12 +13,14 @@
 #include "fields/evaluate.h"
 #include "render/bind.h"
 #include "render/viewport.h"
+#include "ui/drawing.h"
 #include "ui/export_document.h"
 #include "ui/formulas.h"
 #include "ui/gallery.h"
 #include "ui/host.h"
 #include "ui/live_picture.h"
 #include "ui/motion.h"
+#include "ui/space_view.h"
 #include "ui/studies.h"
 #include "ui/theme.h"
 #include "ui/workspace.h"
@@ -52,6 +54,11 @@ struct Probe {
     std::uint64_t revision = 0;  // of the workspace that it was measured in
     std::string text;            // for the status line
     std::vector<std::pair<std::string, std::string>> rows;  // names and values
+};
+
+// The text of a shape as it is typed, and what the scene had when it was last shown.
+struct ShapeText {
+    std::string text, shown;
 };
 
 // The studio's own list of files.
@@ -96,6 +103,9 @@ struct StudioContext {
     double noticeAt = -100;
     Probe probe;
     Studies studies;
+    Drawing drawing;
+    SpaceView space;
+    ShapeText shapeText, alphaShapeText, betaShapeText;
     enum class Strip { series, web, diagram, motion } strip = Strip::series;
     int paletteStop = -1;  // the chosen stop of an own palette
     int orbitShown = 0;    // the step that the table has been scrolled to
@@ -218,6 +228,7 @@ void drawProbe(StudioContext& context);
 void drawPaletteEditor(StudioContext& context);
 void drawInspector(StudioContext& context);
 void drawLayers(StudioContext& context);
+void drawShapePanel(StudioContext& context);
 void drawTimeline(StudioContext& context);
 void drawOrbitStrip(StudioContext& context);
 void drawExport(StudioContext& context);

@@ -107,4 +107,7 @@ class ControlList {
     }
 };
 
+// The parts that have files of their own.
+void collectShape(StudioContext& context, ControlList& all);
+
 }  // namespace versorium

@@ -247,7 +247,7 @@ void collectColours(StudioContext& context, ControlList& all) {
         all.choice(id, label, value, options,
                    [&value](const std::string& wanted) { value = wanted; });
     };
-    word("rule", "colour by", colour.rule, {"palette", "gradient", "versor", "phase"});
+    word("rule", "colour by", colour.rule, {"palette", "gradient", "versor", "phase", "domain"});
     if (colour.rule == "palette") {
         std::vector<std::string> fields;
         for (const FieldInfo& field : allFields())
@@ -266,7 +266,7 @@ void collectColours(StudioContext& context, ControlList& all) {
         all.toggle("interior", "the set in its own colour", colour.interior == "membership",
                    [&colour](bool on) { colour.interior = on ? "membership" : "none"; });
     }
-    if (colour.rule == "palette" || colour.rule == "phase") {
+    if (colour.rule == "palette" || colour.rule == "phase" || colour.rule == "domain") {
         word("palette", "palette", colour.palette, paletteNames());
         all.toggle("reverse", "reversed", colour.reverse,
                    [&colour](bool on) { colour.reverse = on; });
@@ -428,6 +428,7 @@ std::vector<ControlEntry> entriesOf(StudioContext& context) {
     ControlList all(context);
     collectMap(context, all);
     collectParameters(context, all);
+    collectShape(context, all);
     collectOrbit(context, all);
     collectSlice(context, all);
     collectStudies(context, all);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plate/plate_picture.h"
 #include "render/renderer.h"
 #include "ui/context.h"
 #include "ui/help.h"
@@ -36,7 +37,18 @@ void motionOptions(StudioContext& context, ExportOptions& options) {
 }
 
 void plateOptions(StudioContext& context, ExportOptions& options) {
-    if (context.workspace.views.size() > 1) {
+    const char* views = "what is shown";
+    const bool open =
+        ImGui::BeginCombo("of", options.builtIn.empty() ? views : options.builtIn.c_str(),
+                          ImGuiComboFlags_HeightLarge);
+    if (!open) explain("plate of");
+    if (open) {
+        if (ImGui::Selectable(views, options.builtIn.empty())) options.builtIn.clear();
+        for (const std::string& name : plateNames())
+            if (ImGui::Selectable(name.c_str(), name == options.builtIn)) options.builtIn = name;
+        ImGui::EndCombo();
+    }
+    if (context.workspace.views.size() > 1 && options.builtIn.empty()) {
         if (radio("marked view", "export what", !options.allViews)) options.allViews = false;
         ImGui::SameLine();
         if (radio("all views", "export what", options.allViews)) options.allViews = true;

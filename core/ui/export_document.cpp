@@ -6,6 +6,7 @@
 
 #include "plate/markup.h"
 #include "plate/plate.h"
+#include "plate/plate_picture.h"
 #include "plate/scene_panels.h"
 #include "render/movie.h"
 
@@ -38,11 +39,27 @@ std::string captionOf(const std::vector<Scene>& scenes) {
     return text;
 }
 
+PlateOptions plateOptions(const ExportOptions& options) {
+    PlateOptions plate;
+    plate.widthMillimetres = options.millimetres;
+    plate.dotsPerInch = options.dotsPerInch;
+    plate.theme = options.theme;
+    plate.title = options.title;
+    plate.caption = options.caption;
+    return plate;
+}
+
+Expected<Document> builtInPlate(const ExportOptions& options) {
+    Expected<PlateDocument> plate = plateNamed(options.builtIn);
+    if (!plate) return plate.status();
+    plate->options = plateOptions(options);
+    return documentOfPlate(*plate);
+}
+
 Document plateDocument(const Workspace& workspace, const std::vector<double>& aspects,
                        const ExportOptions& options) {
-    Document document;
-    document.kind = "plate";
-    Plate plate;
+    PlateDocument document;
+    Plate& plate = document.plate;
     std::vector<Scene> scenes;
     for (std::size_t k = 0; k < workspace.views.size(); ++k) {
         if (!options.allViews && static_cast<int>(k) != workspace.focused) continue;
@@ -58,13 +75,8 @@ Document plateDocument(const Workspace& workspace, const std::vector<double>& as
     plate.caption = captionOf(scenes);
     plate.note =
         "Versorium · " + escapeMarkup(std::string(info.source)) + " · scene embedded in this file";
-    document.body = plateToJson(plate);
-    document.render = Json{{"width_mm", options.millimetres},
-                           {"dpi", options.dotsPerInch},
-                           {"theme", options.theme},
-                           {"title", options.title},
-                           {"caption", options.caption}};
-    return document;
+    document.options = plateOptions(options);
+    return documentOfPlate(document);
 }
 
 }  // namespace
@@ -98,6 +110,7 @@ Expected<Document> exportDocument(const Workspace& workspace, const std::vector<
         if (pixels * pixels > 2 * kPlatePixelLimit)
             return Status::usage("a plate of " + std::to_string(std::lround(pixels)) +
                                  " pixels in width is too large: take fewer pixels per inch");
+        if (!options.builtIn.empty()) return builtInPlate(options);
         return plateDocument(workspace, aspects, options);
     }
     const auto view = static_cast<std::size_t>(workspace.focused);

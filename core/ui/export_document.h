@@ -12,6 +12,7 @@ struct ExportOptions {
     bool motion = false;    // the pictures of the workspace's motion, one after the other
     bool film = false;      // of a motion: as a film, where the host makes one
     bool plate = false;     // with axes, keys and a caption; else the bare picture
+    std::string builtIn;    // of plates: one of the program's own instead of the views
     bool allViews = false;  // as panels of the plate; else the marked view alone
     int width = 1600;       // of the bare picture, in pixels; its height follows from the view
     double millimetres = 178, dotsPerInch = 300;

@@ -78,6 +78,19 @@ bool pad(const char* id, double& x, double& y, double low, double high) {
     return changed;
 }
 
+// What a parameter is called in formulas.
+std::string labelOf(const std::string& part) {
+    constexpr std::pair<const char*, const char*> kLetters[] = {{"alpha", "α"},
+                                                                {"beta", "β"},
+                                                                {"tau", "τ"},
+                                                                {kAsPrinted, "φ + β (print)"},
+                                                                {"log_scale", "log scale"},
+                                                                {"exponent_beta", "exponent β"}};
+    for (const auto& [name, letter] : kLetters)
+        if (part == name) return letter;
+    return part;
+}
+
 void parameters(StudioContext& context) {
     Workspace& workspace = context.workspace;
     const MapInfo& info = mapOf(workspace.views[0]).info;
@@ -85,7 +98,9 @@ void parameters(StudioContext& context) {
     for (const ParameterInfo& parameter : info.parameters) {
         const int width = widthOf(parameter.kind);
         const std::string name(parameter.name);
-        std::vector<double> value = workspace.views[workspace.speaker()].parameters[name];
+        std::vector<double> value = name == kAsPrinted
+                                        ? workspace.view().parameters[name]
+                                        : workspace.views[workspace.speaker()].parameters[name];
         bool changed = false;
         ImGui::PushID(name.c_str());
         if (width >= 2) {
@@ -98,7 +113,7 @@ void parameters(StudioContext& context) {
         for (int k = 0; k < width; ++k) {
             const std::string part = parameterComponent(info, component + k);
             const bool whole = parameter.kind == ParameterKind::whole;
-            const std::string label = width == 1 ? part : part.substr(part.rfind('.') + 1);
+            const std::string label = width == 1 ? labelOf(part) : part.substr(part.rfind('.') + 1);
             const NumberLook look{
                 .help = parameter.help.empty() ? helpOf("parameter") : parameter.help,
                 .low = width >= 2 ? std::max(parameter.low, -2.0) : parameter.low,
@@ -274,8 +289,8 @@ void choosePalette(StudioContext& context) {
 
 void colourControls(StudioContext& context) {
     Colouring& colour = context.workspace.view().colour;
-    bool changed =
-        choose("colour by", "colour by", colour.rule, {"palette", "gradient", "versor", "phase"});
+    bool changed = choose("colour by", "colour by", colour.rule,
+                          {"palette", "gradient", "versor", "phase", "domain"});
     const bool palette = colour.rule == "palette";
     if (palette) {
         std::vector<std::string> fields;
@@ -287,7 +302,7 @@ void colourControls(StudioContext& context) {
             changed = true;
         }
     }
-    if (palette || colour.rule == "phase") {
+    if (palette || colour.rule == "phase" || colour.rule == "domain") {
         choosePalette(context);
         ImGui::PushID("palette editor");
         drawPaletteEditor(context);
@@ -360,6 +375,8 @@ void drawInspector(StudioContext& context) {
     heading("Parameters");
     if (workspace.views[0].map != "planar") parameters(context);
     drawPlanarPanel(context);
+    drawShapePanel(context);
+    drawSpaceView(context);
 
     if (showsParameters(workspace.view())) {
         heading("Start of the orbits in the marked view");

@@ -54,6 +54,8 @@ class LivePicture {
     // Why the graphics processor does not draw this; empty where it does.
     const std::string& whyProcessor() const { return why_; }
 
+    // What is shown, of the place that it was made for; 0 before the first picture.
+    unsigned texture() const { return texture_; }
     // How many pictures were shown so far, coarse ones too.
     int pictures() const { return pictures_; }
 

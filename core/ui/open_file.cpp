@@ -45,27 +45,8 @@ Status takeMotion(StudioContext& context, const std::string& name, const Documen
 Status openDocument(StudioContext& context, const std::string& name, const Document& document) {
     if (document.kind == "animation") return takeMotion(context, name, document);
     if (document.kind == "plate") {
-        Expected<PlateDocument> plate = plateFromDocument(document);
-        if (!plate) return plate.status();
-        const auto& panels = plate->plate.panels;
-        const auto ofKind = [&](PanelKind kind) {
-            return std::find_if(panels.begin(), panels.end(),
-                                [&](const PlatePanel& panel) { return panel.kind == kind; });
-        };
-        auto first = ofKind(PanelKind::scene);
-        if (first == panels.end()) first = ofKind(PanelKind::diagram);
-        if (first == panels.end()) return Status::data("this plate has no scene, only plots");
-        Expected<Scene> scene = sceneWithAssets(first->scene, plate->assets);
-        if (!scene) return scene.status();
-        Workspace workspace = workspaceOf(*scene);
-        if (first->kind == PanelKind::diagram) {
-            const DiagramPlot& plot = first->diagram;
-            workspace.diagram = {plot.parameter, plot.from, plot.to};
-            context.strip = StudioContext::Strip::diagram;
-        }
-        context.open(std::move(workspace));
-        context.say("Opened panel " + first->name + " of the plate " + name);
-        return {};
+        const Expected<PlateDocument> plate = plateFromDocument(document);
+        return plate ? openPlate(context, name, *plate) : plate.status();
     }
     Expected<Scene> scene = sceneWithAssets(document.body, document.assets);
     if (!scene) return scene.status();
@@ -80,7 +61,7 @@ Status takePalette(StudioContext& context, const std::string& name, const Json& 
     Colouring& colour = context.workspace.view().colour;
     colour.palette = palette->name();
     colour.ownPalette = paletteToJson(*palette);
-    if (colour.rule != "phase") colour.rule = "palette";
+    if (colour.rule != "phase" && colour.rule != "domain") colour.rule = "palette";
     context.touch();
     context.say(name + " is the palette of the marked view");
     return {};
@@ -241,6 +222,28 @@ Status openAny(StudioContext& context, const std::string& name,
 }
 
 }  // namespace
+
+Status openPlate(StudioContext& context, const std::string& name, const PlateDocument& plate) {
+    const auto& panels = plate.plate.panels;
+    const auto ofKind = [&](PanelKind kind) {
+        return std::find_if(panels.begin(), panels.end(),
+                            [&](const PlatePanel& panel) { return panel.kind == kind; });
+    };
+    auto first = ofKind(PanelKind::scene);
+    if (first == panels.end()) first = ofKind(PanelKind::diagram);
+    if (first == panels.end()) return Status::data("this plate has no scene, only plots");
+    Expected<Scene> scene = sceneWithAssets(first->scene, plate.assets);
+    if (!scene) return scene.status();
+    Workspace workspace = workspaceOf(*scene);
+    if (first->kind == PanelKind::diagram) {
+        const DiagramPlot& plot = first->diagram;
+        workspace.diagram = {plot.parameter, plot.from, plot.to};
+        context.strip = StudioContext::Strip::diagram;
+    }
+    context.open(std::move(workspace));
+    context.say("Opened panel " + first->name + " of the plate " + name);
+    return {};
+}
 
 bool mayOpen(const std::string& name) {
     return endsWith(name, kMeshes) || endsWith(name, kGrids) || endsWith(name, kImages) ||

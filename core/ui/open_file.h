@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "plate/plate_picture.h"
 #include "ui/context.h"
 
 namespace versorium {
@@ -17,6 +18,8 @@ Status openBytes(StudioContext& context, const std::string& name,
 // A link, the JSON of a scene or of a palette, or the path of a file.
 Status openText(StudioContext& context, const std::string& text);
 Status openFile(StudioContext& context, const std::string& path);
+// The first panel of a plate that shows a scene.
+Status openPlate(StudioContext& context, const std::string& name, const PlateDocument& plate);
 // Whether a file with this name may be one that opens.
 bool mayOpen(const std::string& name);
 

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What becomes of the point under the pointer: a line for the status and a table for the inspector.
+#include <algorithm>
+
 #include "fields/dynamics.h"
+#include "math/elementary.h"
+#include "shape/modulation.h"
 #include "ui/help.h"
 #include "ui/marks.h"
+#include "ui/shape_change.h"
 
 namespace versorium {
 namespace {
@@ -24,6 +29,24 @@ std::string complexText(std::complex<double> value) {
     if (std::abs(value.imag()) < tiny) return formatNumber(value.real(), 5);
     return formatNumber(std::abs(value.real()) < tiny ? 0 : value.real(), 5) +
            (value.imag() < 0 ? " − " : " + ") + formatNumber(std::abs(value.imag()), 5) + " i";
+}
+
+// What a shape modulus looks up there: φ, α and β where they differ over space, and r̂.
+void probeShape(const Scene& scene, const OrbitProgram& program, Probe& found) {
+    const auto [x, y, z] = shapePlace(scene, program, found.u, found.v);
+    const auto number = [&](const char* name, const Modulation* modulation) {
+        const double base = scene.parameters.at(name)[0];
+        return modulation ? modulation->at(x, y, z, base) : base;
+    };
+    const double phi = program.field->at(x, y, z);
+    const double alpha = number("alpha", program.field->alpha());
+    const double beta = number("beta", program.field->beta());
+    const bool asPrinted = scene.parameters.at(kAsPrinted)[0] != 0;
+    const double exponent = alpha * (phi - (asPrinted ? -beta : beta));
+    found.rows.emplace_back("distance φ", formatNumber(phi, 4));
+    if (program.field->alpha()) found.rows.emplace_back("α here", formatNumber(alpha, 4));
+    if (program.field->beta()) found.rows.emplace_back("β here", formatNumber(beta, 4));
+    found.rows.emplace_back("modulus r̂", formatNumber(exp(std::clamp(exponent, -300.0, 300.0)), 4));
 }
 
 }  // namespace
@@ -77,6 +100,7 @@ void probe(StudioContext& context, int view, const ViewPlane& plane, ImVec2 mous
             values[4] += (k ? ", " : "") + formatNumber(measured[3][k], 3);
     }
     for (std::size_t k = 0; k < std::size(kRows); ++k) found.rows.emplace_back(kRows[k], values[k]);
+    if (bound && bound->field && !showsParameters(scene)) probeShape(scene, *bound, found);
 }
 
 void drawProbe(StudioContext& context) {

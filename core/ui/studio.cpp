@@ -139,6 +139,10 @@ void Studio::State::drawStatus() {
                            context.notice.c_str());
         return;
     }
+    if (const std::string hint = drawingHint(context); !hint.empty()) {
+        ImGui::TextUnformatted(hint.c_str());
+        return;
+    }
     if (!context.probe.text.empty()) {
         ImGui::TextUnformatted(context.probe.text.c_str());
         return;
@@ -226,6 +230,9 @@ void Studio::State::drawNarrow(ImVec2 low, ImVec2 size) {
     ImGui::SameLine();
     if (ImGui::Button(sheetOpen ? "Close" : "Controls", button)) sheetOpen = !sheetOpen;
     explain("sheet");
+    ImGui::SameLine();
+    if (ImGui::Button("Draw", button)) chooseTool(context, Drawing::Tool::outline);
+    explain("draw shape");
     ImGui::SameLine();
     if (ImGui::Button("Undo", button)) context.undo();
     explain("undo");
@@ -374,6 +381,8 @@ void Studio::contextLost() {
     for (ViewState& view : state_->context.views) view.picture.contextLost();
     state_->context.gallery.contextLost();
     state_->context.studies.contextLost();
+    state_->context.drawing.contextLost();
+    state_->context.space.contextLost();
 }
 
 }  // namespace versorium

@@ -69,6 +69,10 @@ void handlePointer(StudioContext& context, int view, const ViewPlane& plane, boo
     if (hovered && io.MouseWheel != 0)
         context.zoom(view, std::pow(kWheel, static_cast<double>(io.MouseWheel)), plane.u(mouse.x),
                      plane.v(mouse.y));
+    if (handleDrawing(context, view, plane, hovered, active)) {
+        state.drag = ViewState::Drag::none;
+        return;
+    }
     const bool left = ImGui::IsMouseClicked(0), right = ImGui::IsMouseClicked(1);
     if (hovered && (left || right)) {
         const bool places = workspace.analysis() && view == 0;
@@ -195,6 +199,7 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
         }
     }
     drawStudyMarks(context, view, plane, list);
+    drawDrawing(context, view, plane, list);
     const auto marker = markerOf(workspace, static_cast<std::size_t>(view));
     if (workspace.analysis()) drawPlaces(context, view, plane, list);
     if (!workspace.analysis() || view > 0)
@@ -204,6 +209,9 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
         list.AddRect(state.dragFrom, ImGui::GetIO().MousePos, theme.accent, 0, 0, 2);
     std::string title = showsParameters(scene) ? "Parameters" : "Starting points";
     if (workspace.analysis() && view > 0) title += " " + std::to_string(view);
+    if (const auto own = scene.parameters.find(kAsPrinted);
+        own != scene.parameters.end() && own->second[0] != 0)
+        title += ", φ + β as printed";
     const std::string measure = "  ·  height " + formatNumber(plane.place.height, 3);
     if (ImGui::CalcTextSize((title + measure).c_str()).x < high.x - low.x - 48 * context.scale)
         title += measure;

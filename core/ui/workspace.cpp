@@ -19,6 +19,8 @@ void shareWith(Scene& scene, const Scene& like) {
     scene.parameters = like.parameters;
     scene.lists = like.lists;
     scene.shape = like.shape;
+    scene.alphaOverSpace = like.alphaOverSpace;
+    scene.betaOverSpace = like.betaOverSpace;
     scene.assets = like.assets;
 }
 
@@ -190,7 +192,8 @@ bool setAnalysis(Workspace& workspace) {
 }
 
 double sharedNumber(const Workspace& workspace, const std::string& name) {
-    const Scene& scene = workspace.views[workspace.speaker()];
+    const Scene& scene =
+        name == kAsPrinted ? workspace.view() : workspace.views[workspace.speaker()];
     const std::optional<NumberRef> number = numberNamed(scene, name);
     if (!number) return 0;
     if (number->kind == NumberKind::state)
@@ -204,6 +207,8 @@ void setSharedNumber(Workspace& workspace, const std::string& name, double value
     if (!number) return;
     if (number->kind == NumberKind::state)
         workspace.point[static_cast<std::size_t>(number->index)] = value;
+    else if (name == kAsPrinted)
+        return setNumber(workspace.view(), *number, value);
     else if (workspace.analysis() && isOn(workspace.views[0].slice, name))
         return setNumber(workspace.views[workspace.speaker()], *number, value);
     for (Scene& scene : workspace.views) setNumber(scene, *number, value);
@@ -275,6 +280,9 @@ Scene pictureScene(const Scene& view, double aspect) {
 
 Scene orbitScene(const Workspace& workspace) {
     Scene scene = dynamicalView(workspace.views[workspace.speaker()]);
+    if (const auto own = workspace.view().parameters.find(kAsPrinted);
+        own != workspace.view().parameters.end())
+        scene.parameters[kAsPrinted] = own->second;
     scene.criticalStart.reset();
     scene.start = workspace.point;
     scene.iterations = workspace.view().iterations;

@@ -24,6 +24,8 @@ inline constexpr int kMostPins = 4;
 inline constexpr int kMostOrbitSteps = 1000;
 inline constexpr std::size_t kMostRanges = 256;
 inline constexpr int kMostShownPeriod = 12;
+// The one parameter that is each view's own: two views show S eq 2 as it is meant and as printed.
+inline constexpr const char* kAsPrinted = "as_printed";
 // What a view shows from bottom to top: as deep as double precision goes, and as far.
 inline constexpr double kLeastHeight = 1e-13, kMostHeight = 1e6;
 

@@ -44,10 +44,15 @@ Json shortScene(const Scene& scene) {
 }
 
 Status checkWelded(const Workspace& workspace) {
-    const Json first = sceneToJson(workspace.views[0]);
+    const auto shared = [](const Scene& scene) {
+        Json json = sceneToJson(scene);
+        json["parameters"].erase(kAsPrinted);
+        return json;
+    };
+    const Json first = shared(workspace.views[0]);
     for (std::size_t k = 1; k < workspace.views.size(); ++k) {
-        const Json other = sceneToJson(workspace.views[k]);
-        for (const char* key : {"map", "formula", "parameters", "lists", "shape"})
+        const Json other = shared(workspace.views[k]);
+        for (const char* key : {"map", "formula", "parameters", "lists", "shape", "modulation"})
             // Views of an analysis have places of their own.
             if (!(workspace.analysis() && key == std::string("parameters")) &&
                 first.value(key, Json()) != other.value(key, Json()))

@@ -5,6 +5,7 @@
 #include "io/document.h"
 #include "io/grid_files.h"
 #include "render/bind.h"
+#include "shape/outline.h"
 
 namespace versorium {
 namespace {
@@ -38,6 +39,11 @@ Expected<Grid> gridOf(const ShapeRequest& request, Job& job) {
     spec.padding = request.padding;
     const std::span<const unsigned char> mesh = embedded("meshes/" + request.source + ".obj");
     if (!mesh.empty()) return gridFromBytes(mesh, request.source + ".obj", spec, job);
+    if (isOutline(request.source)) {
+        Expected<std::vector<glm::dvec2>> corners = parseOutline(request.source);
+        if (!corners) return corners.status();
+        return outlineDistance(*corners, request.resolution, job);
+    }
     if (request.source.find('(') != std::string::npos) {
         Expected<ShapeTree> shape = parseShape(request.source);
         if (!shape) return shape.status();
@@ -79,11 +85,12 @@ void addFileCommands(CommandLine& line) {
         "  versorium shape dragon.ply -o dragon.f3d --resolution 200\n"
         "  versorium shape bunny -o bunny.f3d\n"
         "  versorium shape \"smooth_union(0.05, sphere(0.3), box(0.1, 0.4, 0.1))\" -o s.f3d\n"
+        "  versorium shape \"polygon(-0.4, -0.3, 0.4, -0.3, 0, 0.5)\" -o triangle.grid\n"
         "The grid's box is exactly [-1/2, 1/2]^3: a mesh is centred and scaled to fit it.\n");
     const auto request = std::make_shared<ShapeRequest>();
     shape
         ->add_option("SHAPE", request->source,
-                     "mesh (OBJ, PLY, STL), picture, built-in mesh or shape expression")
+                     "mesh (OBJ, PLY, STL), picture, built-in mesh, shape expression or outline")
         ->required();
     shape->add_option("-o,--output", request->output, ".f3d file, or - for standard output")
         ->required();

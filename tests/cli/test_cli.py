@@ -461,6 +461,11 @@ class BadInput(CommandLine):
         star = ("render", "--map", "shape-modulus-complex-rational", "--size", "8x8",
                 "-o", self.path("s.png"))
         self.refused(USAGE, *star, "--set", "shape=star(5, 1.4", says="character")
+        for outline, said in (("0, 0, 1, 1, 2, 2", "one line"), ("0, 0, 1", "x and y"),
+                              ("0, 0, 1, 0", "3 to"), ("0, 0, 1, 0, nan, 1", "numbers")):
+            self.refused(DATA, *star, "--set", "shape=polygon(%s)" % outline, says=said)
+        # One that crosses itself is a shape.
+        self.good(*star, "--set", "shape=polygon(-1, -1, 1, 1, 1, -1, -1, 1)")
         self.refused(USAGE, *star, "--set", "modulation.alpha.between=1,0", says="smaller")
         self.refused(USAGE, *star, "--set", "modulation.alpha.discs=[[0,0,0,0,1]]", says="radius")
         self.refused(USAGE, "render", "mandelbrot", "-o", self.path("m.png"),

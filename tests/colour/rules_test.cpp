@@ -102,5 +102,26 @@ TEST(Rules, PhaseTurnsOnce) {
     EXPECT_EQ(phaseColour(palette, kNan), palette.undefined);
 }
 
+TEST(Rules, DomainColoursHaveEdgesAtPowersOfTwoAndTwelfthsOfATurn) {
+    const Palette palette = *paletteNamed("dusk");
+    const double pi = 3.141592653589793, angle = 0.3;
+    // The same grey step at every power of two, whatever the argument.
+    for (double modulus : {0.25, 1.0, 8.0}) {
+        const Colour before = domainColour(palette, modulus * (1 - 1e-9), angle);
+        const Colour past = domainColour(palette, modulus * (1 + 1e-9), angle);
+        EXPECT_GT(before.r + before.g + before.b, 1.5 * (past.r + past.g + past.b)) << modulus;
+        // Twice the modulus is the same colour.
+        EXPECT_LT(oklabDistance(domainColour(palette, 1.37 * modulus, angle),
+                                domainColour(palette, 2.74 * modulus, angle)),
+                  1e-9);
+    }
+    const Colour before = domainColour(palette, 1.4, pi / 6 - 1e-9);
+    const Colour past = domainColour(palette, 1.4, pi / 6 + 1e-9);
+    EXPECT_GT(before.r + before.g + before.b, 1.1 * (past.r + past.g + past.b));
+    EXPECT_EQ(domainColour(palette, 0, 1), (Colour{0, 0, 0, 1}));
+    EXPECT_EQ(domainColour(palette, kInf, 1), (Colour{1, 1, 1, 1}));
+    EXPECT_EQ(domainColour(palette, kNan, 1), palette.undefined);
+}
+
 }  // namespace
 }  // namespace versorium

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The studio's window on a virtual display, with a hand on mouse and keys: test_window.py PROGRAM"""
 import json
+import math
 import os
 import shutil
 import subprocess
@@ -317,6 +318,38 @@ class Window(unittest.TestCase):
         self.assertGreater(self.differing(before, moved, "226x290+476+10"), 0.02)
         for area in ("226x290+710+10", "226x290+476+312", "226x290+710+312"):
             self.assertLess(self.differing(before, moved, area), 0.02, area)
+
+    def stroke(self, points):
+        self.hand("mousemove", *points[0], "mousedown", 1)
+        for x, y in points[1:]:
+            self.hand("mousemove", x, y)
+            time.sleep(0.03)
+        self.hand("mouseup", 1)
+        time.sleep(0.5)
+
+    def test_a_star_is_drawn_becomes_its_julia_set_and_is_painted_on(self):
+        self.studio()
+        self.tap("d")
+        corners = [(700 + r * math.sin(k * math.pi / 5), 300 - r * math.cos(k * math.pi / 5))
+                   for k, r in ((k, 90 if k % 2 else 200) for k in range(11))]
+        points = [(round(a[0] + (b[0] - a[0]) * part / 6), round(a[1] + (b[1] - a[1]) * part / 6))
+                  for a, b in zip(corners, corners[1:]) for part in range(6)]
+        self.stroke(points)
+        scene = self.saved()
+        self.assertEqual(scene["map"], "shape-modulus-complex-rational")
+        outline = json.loads("[" + scene["shape"]["source"].removeprefix("polygon(")[:-1] + "]")
+        # Ten corners, and what the hand's steps leave beside them.
+        self.assertGreaterEqual(len(outline) // 2, 10)
+        self.assertLess(len(outline) // 2, 30)
+        before = self.steady("star.png")
+        self.find("paint")
+        self.stroke([(700, 120), (700, 140), (705, 160), (700, 180)])
+        discs = self.saved()["modulation"]["alpha"]["discs"]
+        self.assertGreater(len(discs), 1)
+        self.tap("Escape")
+        self.hand("mousemove", 235, 700)
+        painted = self.steady("painted.png")
+        self.assertGreater(self.differing(before, painted, "440x580+480+10"), 0.002)
 
     def test_a_mesh_opens_from_the_list_of_files(self):
         with open(os.path.join(self.folder, "tetra.obj"), "w") as file:
