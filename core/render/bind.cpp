@@ -278,6 +278,11 @@ Expected<Grid> gridFromBytes(std::span<const unsigned char> bytes, const std::st
     Expected<MeshDistance> made =
         meshDistance(*mesh, {.resolution = spec.resolution, .padding = spec.padding}, job);
     if (!made) return made.status();
+    const std::vector<double>& values = made->grid.values;
+    if (std::none_of(values.begin(), values.end(), [](double phi) { return phi < 0; }))
+        return Status::data(
+            "the mesh encloses nothing that its grid sees: it is open, or thinner than a cell; "
+            "close it, or raise shape.resolution");
     return std::move(made->grid);
 }
 
