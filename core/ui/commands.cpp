@@ -6,6 +6,7 @@
 #include "imgui.h"
 #include "render/movie.h"
 #include "ui/context.h"
+#include "ui/ensemble_change.h"
 #include "ui/help.h"
 #include "ui/keys.h"
 #include "ui/planar_change.h"
@@ -198,6 +199,7 @@ std::vector<Command> commandsOf(StudioContext& context) {
         {"Who draws: automatic, graphics processor or processor", "G", [c] { c->nextRenderer(); }},
         {"The list of keys", "?", [c] { c->keysOpen = !c->keysOpen; }},
     };
+    for (Command& command : ensembleCommands(context)) all.push_back(std::move(command));
     for (int k = 0; k < kMostViews; ++k)
         all.push_back({"Mark view " + std::to_string(k + 1), std::to_string(k + 1), [c, k] {
                            if (k < static_cast<int>(c->workspace.views.size())) c->mark(k);
