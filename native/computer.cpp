@@ -67,7 +67,7 @@ void Computer::work() {
         job_ = std::make_unique<Job>();
         Job& job = *job_;
         lock.unlock();
-        PictureAnswer answer = computePicture(renderer_, request, job);
+        PictureAnswer answer = computePicture(maker_, request, job);
         lock.lock();
         computing_ = -1;
         if (!job.cancelled())

@@ -43,7 +43,7 @@ class Computer {
     int computing_ = -1;  // the view whose picture is being made
     std::unique_ptr<Job> job_;
     std::vector<PictureAnswer> answers_;
-    CpuRenderer renderer_;
+    PictureMaker maker_;
     std::thread thread_;
 
     std::unique_ptr<Job> exportJob_;

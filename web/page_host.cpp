@@ -11,8 +11,10 @@ EM_JS(void, page_js_wake, (), { Module.page.wake(); });
 EM_JS(void, page_js_wake_after, (double seconds), { Module.page.wakeAfter(seconds); });
 EM_JS(void, page_js_copy, (const char* text), { Module.page.copy(UTF8ToString(text)); });
 EM_JS(void, page_js_request,
-      (int view, double id, const char* scene, int width, int height, int samples), {
-    Module.page.request({ view, id, scene: UTF8ToString(scene), width, height, samples });
+      (int view, double id, const char* scene, int width, int height, int samples, double portion,
+       int least), {
+    Module.page.request(
+        { view, id, scene: UTF8ToString(scene), width, height, samples, portion, least });
 });
 EM_JS(void, page_js_export, (const char* document, const char* name, int copy), {
     Module.page.startExport(UTF8ToString(document), UTF8ToString(name), copy !== 0);
@@ -60,7 +62,8 @@ void PageHost::setClipboard(const std::string& text) {
 
 void PageHost::requestPicture(PictureRequest request) {
     page_js_request(request.view, static_cast<double>(request.id), request.scene.c_str(),
-                    request.size.width, request.size.height, request.samples);
+                    request.size.width, request.size.height, request.samples, request.portion,
+                    request.least);
 }
 
 std::optional<PictureAnswer> PageHost::takePicture() {

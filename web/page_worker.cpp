@@ -15,8 +15,8 @@
 
 // clang-format off
 EM_JS(void, worker_js_done,
-      (const unsigned char* bytes, int size, const char* message, double seconds), {
-    Module.done(HEAPU8.slice(bytes, bytes + size), UTF8ToString(message), seconds);
+      (const unsigned char* bytes, int size, const char* message, double seconds, int members), {
+    Module.done(HEAPU8.slice(bytes, bytes + size), UTF8ToString(message), seconds, members);
 });
 EM_JS(void, worker_js_progress, (double progress), { Module.progress(progress); });
 // clang-format on
@@ -29,10 +29,11 @@ struct Result {
     std::vector<unsigned char> bytes;
     std::string message;
     double seconds = 0;
+    int members = 0;
 };
 
-CpuRenderer& renderer() {
-    static CpuRenderer kept;
+PictureMaker& maker() {
+    static PictureMaker kept;
     return kept;
 }
 
@@ -52,7 +53,7 @@ void end() {
     const std::unique_ptr<Task> ended(std::exchange(task, nullptr));
     const Result& result = ended->result;
     worker_js_done(result.bytes.data(), static_cast<int>(result.bytes.size()),
-                   result.message.c_str(), result.seconds);
+                   result.message.c_str(), result.seconds, result.members);
 }
 
 // A thread that waits for others cannot start them in a browser: with threads the task runs on one,
@@ -77,14 +78,17 @@ extern "C" {
 
 // Makes RGBA, or a message. `threads` counts the one that waits for the others.
 EMSCRIPTEN_KEEPALIVE void worker_picture(int threads, const char* scene, int width, int height,
-                                         int samples) {
+                                         int samples, double portion, int least) {
     PictureRequest request;
     request.scene = scene;
     request.size = {width, height};
     request.samples = samples;
+    request.portion = portion;
+    request.least = least;
     begin(threads, [request](Job& job) {
-        PictureAnswer answer = computePicture(renderer(), request, job);
-        return Result{std::move(answer.rgba), std::move(answer.message), answer.seconds};
+        PictureAnswer answer = computePicture(maker(), request, job);
+        return Result{std::move(answer.rgba), std::move(answer.message), answer.seconds,
+                      answer.members};
     });
 }
 

@@ -159,11 +159,12 @@ EMSCRIPTEN_KEEPALIVE void page_context_restored() {
 
 // A picture's answer: the pixels are written to where page_picture_begin points.
 EMSCRIPTEN_KEEPALIVE unsigned char* page_picture_begin(int view, double id, int width, int height,
-                                                       double seconds) {
+                                                       double seconds, int members) {
     page->incoming = {.view = view,
                       .id = static_cast<std::uint64_t>(id),
                       .size = {width, height},
-                      .seconds = seconds};
+                      .seconds = seconds,
+                      .members = members};
     page->incoming.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
                                4);
     return page->incoming.rgba.data();

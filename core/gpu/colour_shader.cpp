@@ -19,6 +19,7 @@ uniform bool uOnlyLast;
 uniform float uTwiceLogRadius;
 uniform float uLogDegree;
 uniform float uIso;
+uniform float uMembers;       // that an averaged map has counted
 
 const float kPi = 3.14159265358979;
 
@@ -85,6 +86,12 @@ float fieldOf(int field, vec4 kept, vec4 image) {
             return escaped ? undefinedValue() : kept.w > 0.0 ? kept.w : uIterations;
         case IMAGE_MODULUS: return modulusOf(image);
         case ARGUMENT: return argumentOf(image);
+        case MEAN_MEMBERSHIP: return kept.x / uMembers;
+        case STANDARD_ERROR: {
+            if (uMembers < 2.0) return undefinedValue();
+            float mean = kept.x / uMembers;
+            return sqrt(mean * (1.0 - mean) / (uMembers - 1.0));
+        }
         default: return 0.0;
     }
 }
@@ -109,6 +116,10 @@ uniform int uSmoothing;       // 0 none, 1 ratio, 2 log-log
 uniform bool uAttractedVaries;
 uniform int uSamples;         // along each side of a pixel
 uniform ivec2 uSize;          // of the picture
+uniform int uContourCount;
+uniform float uContours[MOST_CONTOURS];
+uniform float uLineReach;     // in samples: where a line covers nothing any more
+uniform vec4 uLineColour;
 
 out vec4 outColour;
 
@@ -198,6 +209,37 @@ vec4 colourOf(vec4 kept, vec4 image) {
     float value = uShown == VERSOR ? versorOf(image).x : fieldOf(uShown, kept, image);
     return paletteAt(positionOf(value));
 }
+// How many levels the value of a sample reaches.
+int sideOf(ivec2 at) {
+    vec4 image = texelFetch(uImage, at, 0);
+    float value = uShown == VERSOR ? versorOf(image).x
+                                   : fieldOf(uShown, texelFetch(uFields, at, 0), image);
+    if (isUndefined(value)) return 0;
+    int side = 0;
+    for (int k = 0; k < uContourCount; ++k)
+        if (value >= uContours[k]) ++side;
+    return side;
+}
+// How much of a sample is covered by lines, which run between neighbours on different sides.
+float lineAt(ivec2 at) {
+    ivec2 last = textureSize(uFields, 0) - 1;
+    int reach = int(ceil(uLineReach));
+    float covered = 0.0;
+    for (int y = -reach; y <= reach; ++y)
+        for (int x = -reach; x <= reach; ++x) {
+            ivec2 there = at + ivec2(x, y);
+            if (any(lessThan(there, ivec2(0))) || any(greaterThan(there, last))) continue;
+            float across = uLineReach - length(vec2(float(x) + 0.5, float(y)));
+            float up = uLineReach - length(vec2(float(x), float(y) + 0.5));
+            if (max(across, up) <= covered) continue;
+            int side = sideOf(there);
+            if (there.x < last.x && side != sideOf(there + ivec2(1, 0)))
+                covered = max(covered, across);
+            if (there.y < last.y && side != sideOf(there + ivec2(0, 1)))
+                covered = max(covered, up);
+        }
+    return clamp(covered, 0.0, 1.0);
+}
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     ivec2 first = ivec2(pixel.x, uSize.y - 1 - pixel.y) * uSamples;
@@ -208,13 +250,17 @@ void main() {
         return;
     }
     vec3 light = vec3(0.0);
+    float line = 0.0;
     for (int y = 0; y < uSamples; ++y)
         for (int x = 0; x < uSamples; ++x) {
             ivec2 at = first + ivec2(x, y);
             vec4 c = colourOf(texelFetch(uFields, at, 0), texelFetch(uImage, at, 0));
             light += mix(uBackground, c.rgb, c.a);
+            if (uContourCount > 0) line += lineAt(at);
         }
-    outColour = vec4(srgbFromLinear(light / float(uSamples * uSamples)), 1.0);
+    float parts = float(uSamples * uSamples);
+    light = mix(light / parts, uLineColour.rgb, uLineColour.a * line / parts);
+    outColour = vec4(srgbFromLinear(light), 1.0);
 }
 )";
 
@@ -239,6 +285,9 @@ std::string colourShader() {
     field("IMAGE_MODULUS", FieldName::imageModulus);
     field("VERSOR", FieldName::versor);
     field("ARGUMENT", FieldName::argument);
+    field("MEAN_MEMBERSHIP", FieldName::meanMembership);
+    field("STANDARD_ERROR", FieldName::standardError);
+    define(text, "MOST_CONTOURS", kMostGpuContours);
     define(text, "SCALE_LOG", static_cast<int>(ScaleKind::log));
     define(text, "SCALE_TRUNCATED_LOG", static_cast<int>(ScaleKind::truncatedLog));
     define(text, "SCALE_SQRT", static_cast<int>(ScaleKind::sqrt));

@@ -13,5 +13,7 @@ namespace versorium {
 enum class GpuRule { palette, gradient, versor, phase, domain, raw };
 
 std::string colourShader();
+// Lines along which the shown field has a value; more of them are the CPU's.
+inline constexpr int kMostGpuContours = 16;
 
 }  // namespace versorium

@@ -5,9 +5,11 @@
 #include <array>
 #include <cmath>
 
+#include "fields/ensemble.h"
 #include "fields/observers.h"
 #include "maps/critical.h"
 #include "render/bind.h"
+#include "render/cpu/averaged_map.h"
 #include "render/glsl/shader.h"
 #include "trace/specialise.h"
 
@@ -16,7 +18,6 @@ namespace {
 
 constexpr const char* kAlongTheOrbit = "it looks at every iterate beside what is kept of an orbit";
 constexpr const char* kNeedsSlopes = "it needs derivatives, which one step in 32 bits has not";
-constexpr const char* kOfManyMaps = "it counts over an ensemble of maps";
 constexpr std::array<GpuField, 16> kFields = {{
     {FieldName::membership, true, ""},
     {FieldName::solid, true, ""},
@@ -32,8 +33,8 @@ constexpr std::array<GpuField, 16> kFields = {{
     {FieldName::trap, false, kAlongTheOrbit},
     {FieldName::lyapunov, false, kNeedsSlopes},
     {FieldName::period, false, "cycles are told apart by more than 24 bits"},
-    {FieldName::meanMembership, false, kOfManyMaps},
-    {FieldName::standardError, false, kOfManyMaps},
+    {FieldName::meanMembership, true, ""},
+    {FieldName::standardError, true, ""},
 }};
 
 // A pixel must be this many units in the last place of what it is added to.
@@ -43,6 +44,8 @@ constexpr double kLeastCoordinate = 1.0 / 16;
 constexpr std::size_t kMostShapeNumbers = 128;
 constexpr std::size_t kMostShapeNodes = 2000;
 constexpr int kOtherUniforms = 32;
+// A trap is left some room for the rounding of 24 bits.
+constexpr double kCaptureMargin = 1e-5;
 
 Status refused(const std::string& why) { return Status::usage("the CPU draws this: " + why); }
 
@@ -173,12 +176,15 @@ Tape recordShape(const ShapeTree& shape, std::vector<float>& numbers) {
 
 // The map's step without the terms whose coefficients are 0 in the whole picture, where that saves
 // much: every other set of terms is a shader of its own, which takes time to compile.
-Tape stepOf(const MapKernels& map, const std::vector<Affine>& numbers) {
+Tape stepOf(const MapKernels& map, const std::vector<Affine>& numbers,
+            const std::vector<std::size_t>& drawn) {
     Tape whole = map.trace();
     std::vector<char> zero;
     for (int k = 0; k < map.parameters; ++k) {
-        const Affine& number = numbers[static_cast<std::size_t>(map.dimension + k)];
-        zero.push_back(number.middle == 0 && number.right == 0 && number.up == 0);
+        const auto index = static_cast<std::size_t>(map.dimension + k);
+        const Affine& number = numbers[index];
+        zero.push_back(number.middle == 0 && number.right == 0 && number.up == 0 &&
+                       std::find(drawn.begin(), drawn.end(), index) == drawn.end());
     }
     Tape special = specialise(whole, zero);
     return 2 * special.nodes.size() < whole.nodes.size() ? special : whole;
@@ -191,6 +197,29 @@ Status checkLists(const OrbitProgram& program, const GpuLimits& limits) {
     return {};
 }
 
+// The numbers of the slice that each member draws.
+std::vector<std::size_t> drawnNumbers(const Ensemble& ensemble) {
+    std::vector<std::size_t> drawn;
+    for (const Ensemble::Range& range : ensemble.ranges) drawn.push_back(range.number);
+    for (const Ensemble::Disc& disc : ensemble.discs) drawn.insert(drawn.end(), {disc.re, disc.im});
+    return drawn;
+}
+
+// Whether an ensemble can be counted here.
+Status checkMembers(const OrbitProgram& program, const std::vector<std::size_t>& drawn) {
+    const Ensemble& ensemble = *program.ensemble;
+    if (ensemble.count > static_cast<std::uint64_t>(kMostGpuMembers))
+        return refused("it has more members than 24 bits count");
+    if (program.onlyLastTested) return refused("only the last point of each orbit is tested");
+    if (!program.critical) return {};
+    bool moves = ensemble.list >= 0;
+    for (std::size_t number : drawn) {
+        const auto parameter = static_cast<int>(number) - program.map->dimension;
+        moves = moves || (parameter >= 0 && movesCritical(*program.map, parameter));
+    }
+    return moves ? refused("its critical points move with what is drawn at random") : Status{};
+}
+
 }  // namespace
 
 const GpuField& gpuField(FieldName field) {
@@ -200,9 +229,17 @@ const GpuField& gpuField(FieldName field) {
     return *found;
 }
 
-Status carriesFields(const OrbitProgram& program, const std::vector<FieldName>& fields) {
+Status carriesFields(const GpuOrbits& orbits, const std::vector<FieldName>& fields) {
+    const OrbitProgram& program = orbits.program;
     for (FieldName field : fields) {
         const GpuField& own = gpuField(field);
+        const bool ofMany = field == FieldName::meanMembership || field == FieldName::standardError;
+        if (ofMany && !orbits.counts())
+            return refused("the field " + std::string(infoOf(field).name) +
+                           ": the ensemble varies nothing");
+        if (!ofMany && orbits.counts())
+            return refused("the field " + std::string(infoOf(field).name) +
+                           " beside the mean over an ensemble");
         if (!own.carried)
             return refused("the field " + std::string(infoOf(field).name) + ": " + own.why);
         if (field == FieldName::attractionStep && program.onlyLastTested)
@@ -224,6 +261,14 @@ Expected<GpuOrbits> GpuOrbits::make(const Scene& scene, const OrbitProgram& prog
     const double radius2 = program.escapeRadius * program.escapeRadius;
     orbits.bounded = !program.onlyLastTested && radius2 < 3e38;
     orbits.squaredRadius = orbits.bounded ? static_cast<float>(radius2) : 0.0F;
+    std::vector<std::size_t> drawn;
+    if (showsEnsemble(scene)) {
+        drawn = drawnNumbers(*program.ensemble);
+        if (Status status = checkMembers(program, drawn); !status.ok()) return status;
+        orbits.members = static_cast<int>(program.ensemble->count);
+        const double capture = program.ensemble->capture * (1 - kCaptureMargin);
+        if (!program.ensemble->solid) orbits.squaredCapture = static_cast<float>(capture * capture);
+    }
 
     const std::vector<Affine> sliced =
         affineNumbers(scene, program, scene.slice.height / size.height);
@@ -242,6 +287,7 @@ Expected<GpuOrbits> GpuOrbits::make(const Scene& scene, const OrbitProgram& prog
         const bool override = k >= count + static_cast<std::size_t>(program.map->parameters);
         const std::size_t place =
             override ? k + parameters - static_cast<std::size_t>(program.map->parameters) : k;
+        orbits.places.push_back(static_cast<int>(place));
         orbits.numbers[4 * place] = static_cast<float>(numbers[k].middle);
         orbits.numbers[4 * place + 1] = static_cast<float>(numbers[k].right);
         orbits.numbers[4 * place + 2] = static_cast<float>(numbers[k].up);
@@ -263,8 +309,11 @@ Expected<GpuOrbits> GpuOrbits::make(const Scene& scene, const OrbitProgram& prog
     if (static_cast<int>(orbits.numbers.size() / 4 + orbits.shapeNumbers.size()) + kOtherUniforms >
         limits.uniformVectors)
         return refused("it takes more numbers than the graphics processor has room for");
-    orbits.shaderText = iterationShader(stepOf(*program.map, numbers), analytic ? &shape : nullptr,
-                                        kAttractionDifference);
+    const Tape step = stepOf(*program.map, numbers, drawn);
+    const Tape* shapeTape = analytic ? &shape : nullptr;
+    orbits.shaderText = orbits.counts()
+                            ? countingShader(step, shapeTape, static_cast<int>(drawn.size()))
+                            : iterationShader(step, shapeTape, kAttractionDifference);
     return orbits;
 }
 

@@ -20,9 +20,6 @@ struct GpuField {
     const char* why;
 };
 const GpuField& gpuField(FieldName field);
-// OK, or which field the CPU has to measure and why.
-Status carriesFields(const OrbitProgram& program, const std::vector<FieldName>& fields);
-
 struct GpuOrbits {
     std::string shaderText;
     std::vector<float> numbers;  // for each number: at the middle, per pixel right, per pixel up, 0
@@ -32,8 +29,19 @@ struct GpuOrbits {
     float squaredRadius = 4;
     OrbitProgram program;
 
+    // Of an averaged map: how many members are counted, 24 bits at most; 0: one map's orbits.
+    int members = 0;
+    // Of a number of the slice: its place among `numbers`.
+    std::vector<int> places;
+    float squaredCapture = 0;  // orbits that come this near to 0 are in every set
+    bool counts() const { return members > 0; }
+
     static Expected<GpuOrbits> make(const Scene& scene, const OrbitProgram& program, Size size,
                                     const GpuLimits& limits);
 };
+// OK, or which field the CPU has to measure and why.
+Status carriesFields(const GpuOrbits& orbits, const std::vector<FieldName>& fields);
+// Of more members the counts would not fit into 24 bits.
+inline constexpr int kMostGpuMembers = 1 << 24;
 
 }  // namespace versorium

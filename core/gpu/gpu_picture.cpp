@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "fields/ensemble.h"
 #include "gpu/gpu_state.h"
+#include "math/elementary.h"
 #include "render/bind.h"
 
 namespace versorium {
@@ -71,7 +73,8 @@ Status GpuPicture::start(const Scene& scene, const OrbitProgram& program, Size s
     const std::string before = std::move(orbits_.shaderText);
     orbits_ = std::move(*orbits);
     if (before != orbits_.shaderText) {
-        rate_ = kFirstRate;
+        // A member runs its whole orbit, and each of its steps goes through a list of roots.
+        rate_ = orbits_.counts() ? kFirstRate / std::max(1, orbits_.iterations) : kFirstRate;
         slowest_ = std::numeric_limits<double>::infinity();
     }
     size_ = size;
@@ -85,15 +88,25 @@ Status GpuPicture::start(const Scene& scene, const OrbitProgram& program, Size s
 Status GpuPicture::recolour(const Scene& scene) {
     if (!orbits_.program.map)
         return Status::usage("there is no picture yet whose colours could change");
-    if (scene.colour.outline != "none" || !scene.colour.contours.empty())
+    if (scene.colour.outline != "none")
         return Status::usage("the CPU draws this: the outline needs a pixel's neighbours");
+    if (scene.colour.contours.size() > kMostGpuContours)
+        return Status::usage("the CPU draws this: it has more than " +
+                             std::to_string(kMostGpuContours) + " contours");
     if (!scene.layers.empty())
         return Status::usage("the CPU draws this: it lays the images behind and in front");
     OrbitProgram program = orbits_.program;
     program.iso = scene.iso;
     Expected<ColourPass> pass = ColourPass::make(scene, program);
     if (!pass) return pass.status();
-    if (Status status = carriesFields(program, pass->fields()); !status.ok()) return status;
+    if (Status status = carriesFields(orbits_, pass->fields()); !status.ok()) return status;
+    if (orbits_.counts() && scene.ensemble.count != orbits_.members) {
+        // More members go on from those that are counted.
+        if (scene.ensemble.count < done_ || scene.ensemble.count > kMostGpuMembers)
+            return Status::usage("these members have to be counted anew");
+        orbits_.members = scene.ensemble.count;
+        if (state_ == State::finished && done_ < orbits_.members) state_ = State::iterating;
+    }
     scene_ = scene;
     orbits_.program.iso = scene.iso;
     pass_ = std::move(*pass);
@@ -104,7 +117,7 @@ Status GpuPicture::recolour(const Scene& scene) {
 void GpuPicture::rewind() {
     if (fence_ && generation_ == renderer_.generation()) glDeleteSync(fence_);
     fence_ = nullptr;
-    source_ = row_ = done_ = 0;
+    source_ = row_ = done_ = firstMember_ = 0;
     steps_ = 0;
     first_ = true;
     anyOrbits_ = coloured_ = false;
@@ -114,8 +127,8 @@ void GpuPicture::rewind() {
 double GpuPicture::progress() const {
     if (state_ == State::finished) return 1;
     const int height = sampled().height;
-    if (orbits_.iterations < 1 || height < 1) return 0;
-    return (done_ + static_cast<double>(steps_) * row_ / height) / orbits_.iterations;
+    if (units() < 1 || height < 1) return 0;
+    return (done_ + static_cast<double>(steps_) * row_ / height) / units();
 }
 
 // After a lost context everything is made anew, and the orbits begin again.
@@ -161,10 +174,18 @@ void GpuPicture::drawUnit(GLuint program, double target) {
     const Size size = sampled();
     const double work = std::max(1.0, rate_ * target);
     if (row_ == 0) {
-        const int left = std::max(orbits_.iterations - done_, 1);
+        int left = std::max(units() - done_, 1);
+        if (orbits_.counts()) {
+            if (done_ >= firstMember_ + memberWindow()) {
+                firstMember_ = done_;
+                uploadLists();
+            }
+            left = std::min(left, firstMember_ + memberWindow() - done_);
+        }
         const double fitting = work / (1.0 * size.width * size.height);
+        const double least = orbits_.counts() ? 1 : kLeastSteps;
         steps_ = static_cast<int>(
-            std::clamp(fitting, std::min<double>(kLeastSteps, left), static_cast<double>(left)));
+            std::clamp(fitting, std::min<double>(least, left), static_cast<double>(left)));
     }
     const int rows = static_cast<int>(
         std::clamp(work / (1.0 * size.width * steps_), 1.0, 1.0 * (size.height - row_)));
@@ -175,7 +196,17 @@ void GpuPicture::drawUnit(GLuint program, double target) {
                  orbits_.numbers.data());
     glUniform2f(at("uSize"), static_cast<float>(size.width), static_cast<float>(size.height));
     glUniform1i(at("uIterations"), orbits_.iterations);
-    glUniform1i(at("uSteps"), steps_);
+    if (orbits_.counts()) {
+        const Ensemble& ensemble = *orbits_.program.ensemble;
+        glUniform1i(at("uMember"), done_ - firstMember_);
+        glUniform1i(at("uMembers"), steps_);
+        glUniform1i(at("uDrawnList"), ensemble.list);
+        glUniform1f(at("uSquaredCapture"), orbits_.squaredCapture);
+        glUniform1i(at("uSolid"), ensemble.solid);
+        glUniform1f(at("uSquaredSolid"), static_cast<float>(exp(2 * orbits_.program.iso)));
+    } else {
+        glUniform1i(at("uSteps"), steps_);
+    }
     glUniform1i(at("uFirst"), first_);
     glUniform1i(at("uBounded"), orbits_.bounded);
     glUniform1f(at("uSquaredRadius"), orbits_.squaredRadius);
@@ -193,12 +224,12 @@ void GpuPicture::drawUnit(GLuint program, double target) {
     row_ += rows;
     if (row_ < size.height) return;
     row_ = 0;
-    done_ = std::min(done_ + steps_, orbits_.iterations);
+    done_ = std::min(done_ + steps_, units());
     source_ = 1 - source_;
     first_ = false;
     anyOrbits_ = true;
     coloured_ = false;
-    if (done_ >= orbits_.iterations) state_ = State::finished;
+    if (done_ >= units()) state_ = State::finished;
 }
 
 // Whether the draw that is under way has ended within this time.

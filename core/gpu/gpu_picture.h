@@ -23,6 +23,7 @@ namespace versorium {
 struct GpuOptions {
     int samples = 1;                // along each side of a pixel
     Colour background{0, 0, 0, 1};  // linear light; behind colours that are not opaque
+    double lineWidth = 1;           // in pixels: of contours of width 1
 };
 
 class GpuPicture {
@@ -52,6 +53,8 @@ class GpuPicture {
     State state() const { return state_; }
     // Why it failed.
     const Status& status() const { return status_; }
+    // Of an averaged map: how many members every pixel has counted.
+    int members() const { return orbits_.counts() ? done_ : 0; }
     // Share of the iterations that every pixel has had, 0 to 1.
     double progress() const;
 
@@ -77,6 +80,11 @@ class GpuPicture {
     void rewind();
     Status makeTextures();
     void uploadLists();
+    // Of an averaged map: the members that the next draws count.
+    void uploadMembers(std::vector<float>& texels, std::size_t width);
+    int memberWindow() const;
+    int units() const { return orbits_.counts() ? orbits_.members : orbits_.iterations; }
+    void setContours(GLuint program, int samples);
     void uploadGrid();
     void uploadPalette();
     void bindOrbitInputs(GLuint program);
@@ -104,9 +112,11 @@ class GpuPicture {
     bool painted_ = false;   // the palette is uploaded
     bool coloured_ = false;  // the texture shows the newest orbits
 
-    // The sweep: all rows get `steps_` iterations, from textures `source_` to the others.
+    // The sweep: all rows get `steps_` iterations, or members, from textures `source_` to the
+    // others.
     int source_ = 0;
-    int row_ = 0, steps_ = 0, done_ = 0;
+    int row_ = 0, steps_ = 0, done_ = 0;  // steps, or members of an averaged map
+    int firstMember_ = 0;                 // of those whose roots are uploaded
     bool first_ = true, anyOrbits_ = false;
     GLsync fence_ = nullptr;
     double issued_ = 0, workIssued_ = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fields/ensemble.h"
 #include "gpu/colour_shader.h"
 #include "gpu/gpu_picture.h"
 #include "gpu/gpu_state.h"
@@ -125,10 +126,55 @@ Status GpuPicture::makeTextures() {
                          " orbits");
 }
 
+// Members whose roots are kept in a texture at once.
+int GpuPicture::memberWindow() const {
+    constexpr int kMost = 256, kTexels = 1 << 18;
+    const int roots = std::max(orbits_.program.ensemble->roots.most, 1);
+    return std::clamp(kTexels / roots, 1, kMost);
+}
+
+// Three rows for each member; render/glsl/shader.h says what is in them.
+void GpuPicture::uploadMembers(std::vector<float>& texels, std::size_t width) {
+    const Ensemble& ensemble = *orbits_.program.ensemble;
+    OrbitProgram member = orbits_.program;
+    // All of them, since the ensemble may grow before they are counted.
+    const int count = memberWindow();
+    const std::size_t before = texels.size();
+    texels.resize(before + 4 * width * 3 * static_cast<std::size_t>(count), 0.0F);
+    for (int m = 0; m < count; ++m) {
+        ensemble.choose(static_cast<std::uint64_t>(firstMember_ + m), member);
+        float* roots = &texels[before + 4 * width * 3 * static_cast<std::size_t>(m)];
+        float* powers = roots + 4 * width;
+        if (ensemble.list >= 0) {
+            const BoundList& list = member.lists[static_cast<std::size_t>(ensemble.list)];
+            for (std::size_t i = 0; i < list.size(); ++i) {
+                for (std::size_t k = 0; k < 4; ++k)
+                    roots[4 * i + k] = static_cast<float>(list[i].q[k]);
+                powers[4 * i] = static_cast<float>(list[i].power);
+            }
+            powers[1] = static_cast<float>(list.size());
+        }
+        float* drawn = powers + 4 * width;
+        const auto put = [&](std::size_t number) {
+            drawn[0] = static_cast<float>(member.slice.origin[number]);
+            drawn[1] = static_cast<float>(orbits_.places[number]);
+            drawn += 4;
+        };
+        for (const Ensemble::Range& range : ensemble.ranges) put(range.number);
+        for (const Ensemble::Disc& disc : ensemble.discs) put(disc.re), put(disc.im);
+    }
+}
+
 void GpuPicture::uploadLists() {
     std::size_t width = 1;
     const auto& lists = orbits_.program.lists;
     for (const BoundList& list : lists) width = std::max(width, list.size());
+    if (orbits_.counts()) {
+        const Ensemble& ensemble = *orbits_.program.ensemble;
+        const auto most = static_cast<std::size_t>(ensemble.roots.most);
+        if (ensemble.list >= 0) width = std::max(width, most);
+        width = std::max(width, ensemble.ranges.size() + 2 * ensemble.discs.size());
+    }
     std::vector<float> texels(4 * width * 2 * kMostLists, 0.0F);
     for (std::size_t l = 0; l < lists.size(); ++l)
         for (std::size_t i = 0; i < lists[l].size(); ++i) {
@@ -137,11 +183,13 @@ void GpuPicture::uploadLists() {
                 components[k] = static_cast<float>(lists[l][i].q[k]);
             texels[4 * ((2 * l + 1) * width + i)] = static_cast<float>(lists[l][i].power);
         }
+    if (orbits_.counts()) uploadMembers(texels, width);
+    const std::size_t rows = texels.size() / (4 * width);
     glDeleteTextures(1, &names_.roots);
     names_.roots = makeTexture(GL_TEXTURE_2D);
     plainUnpacking();
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, static_cast<GLsizei>(width), 2 * kMostLists, 0,
-                 GL_RGBA, GL_FLOAT, texels.data());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, static_cast<GLsizei>(width),
+                 static_cast<GLsizei>(rows), 0, GL_RGBA, GL_FLOAT, texels.data());
     glBindTexture(GL_TEXTURE_2D, 0);
 }
 
@@ -264,12 +312,29 @@ Status GpuPicture::colourInto(GLuint frame, Size size, int rule, FieldName shown
                                   : colouring.smoothing == "log-log" ? 2
                                                                      : 0);
     glUniform1i(at("uAttractedVaries"), !(colouring.attracted.start == colouring.attracted.finish));
+    number("uMembers", orbits_.counts() ? done_ : 1);
+    setContours(program, rule == static_cast<int>(GpuRule::palette) ? samples : 0);
     glUniform1i(at("uSamples"), samples);
     glUniform2i(at("uSize"), size.width, size.height);
 
     const gpu::DrawState state(frame, size);
     renderer_.drawQuad();
     return {};
+}
+
+// `samples` along each side of a pixel; 0: no contours.
+void GpuPicture::setContours(GLuint program, int samples) {
+    const auto at = [&](const char* name) { return glGetUniformLocation(program, name); };
+    const Colouring& colouring = scene_.colour;
+    float levels[kMostGpuContours] = {};
+    const std::size_t count = samples > 0 ? colouring.contours.size() : 0;
+    std::copy_n(colouring.contours.begin(), count, levels);
+    glUniform1i(at("uContourCount"), static_cast<GLint>(count));
+    glUniform1fv(at("uContours"), kMostGpuContours, levels);
+    // As render/outline.cpp draws them.
+    const double width = options_.lineWidth * colouring.outlineWidth;
+    glUniform1f(at("uLineReach"), static_cast<float>(std::max(0.5, 0.5 * width * samples) + 0.5));
+    vector4(at("uLineColour"), *colourFromHex(colouring.outlineColour));
 }
 
 GLuint GpuPicture::texture() {
@@ -304,7 +369,7 @@ Status GpuPicture::readFields(const std::vector<FieldName>& fields,
                               std::vector<Raster<float>>& rasters) {
     if (!anyOrbits_ || generation_ != renderer_.generation())
         return Status::usage("there are no orbits to read yet");
-    if (Status status = carriesFields(orbits_.program, fields); !status.ok()) return status;
+    if (Status status = carriesFields(orbits_, fields); !status.ok()) return status;
     const Size size = sampled();
     bool complete = true;
     const GLuint texture = makeTarget(GL_RGBA32F, size);

@@ -147,8 +147,8 @@ double captureOf(const Scene& scene, const OrbitProgram& program, double escapeR
     if (!fixed) return 0;
     RadialOptions options = radialOptions(scene, escapeRadius);
     options.outward = false;
-    options.points = 1024;
-    options.radii = 513;
+    options.points = 512;
+    options.radii = 257;
     options.to = std::min(escapeRadius, shapeReach(*program.field, options));
     Job own(job.threads());  // the progress shown is that of the picture
     Expected<RadialProfile> profile = radialProfile(*program.field, options, own);

@@ -11,10 +11,6 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-// Up to the escape radius, for where escape is certain.
-constexpr int kOutwardRadii = 4097;
-constexpr int kOutwardPoints = 1024;
-
 // A trap is left some room for rounding.
 constexpr double kMargin = 1e-9;
 
@@ -87,6 +83,9 @@ Status checkOptions(const RadialOptions& options) {
         return Status::usage("the largest radius must be a positive number");
     if (options.radii < 2 || options.radii > kMostRadii)
         return Status::usage("2 to " + std::to_string(kMostRadii) + " radii are expected");
+    if (options.outwardRadii < 2 || options.outwardRadii > kMostRadii ||
+        options.outwardPoints < 1 || options.outwardPoints > kMostCirclePoints)
+        return Status::usage("too few or too many radii or points on the way outward");
     if (options.points < 0 || options.points > kMostCirclePoints)
         return Status::usage("at most " + std::to_string(kMostCirclePoints) +
                              " points on a circle are expected");
@@ -198,8 +197,8 @@ Expected<RadialProfile> radialProfile(const DistanceField& field, const RadialOp
     if (options.dimensions != 2 || !options.outward) return profile;
     RadialOptions outward = options;
     outward.to = options.escapeRadius;
-    outward.radii = kOutwardRadii;
-    outward.points = kOutwardPoints;
+    outward.radii = options.outwardRadii;
+    outward.points = options.outwardPoints;
     Expected<RadialProfile> whole = sampled(field, outward, job);
     if (!whole) return whole.status();
     profile->escape = findEscape(*whole, outward, controls);

@@ -22,7 +22,9 @@ struct RadialOptions {
     double to = 2;        // the largest radius
     int radii = 257;      // from 0 to `to`, evenly
     bool outward = true;  // whether `escape` is looked for
-    int points = 0;       // on each circle or sphere; 0: 4096 and 16384
+    // With how many radii up to the escape radius, and points on each circle.
+    int outwardRadii = 4097, outwardPoints = 1024;
+    int points = 0;  // on each circle or sphere; 0: 4096 and 16384
 };
 
 struct RadialProfile {

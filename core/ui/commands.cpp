@@ -7,6 +7,7 @@
 #include "plate/plate_picture.h"
 #include "render/movie.h"
 #include "ui/context.h"
+#include "ui/ensemble_change.h"
 #include "ui/help.h"
 #include "ui/keys.h"
 #include "ui/open_file.h"
@@ -207,6 +208,7 @@ std::vector<Command> commandsOf(StudioContext& context) {
         {"Who draws: automatic, graphics processor or processor", "G", [c] { c->nextRenderer(); }},
         {"The list of keys", "?", [c] { c->keysOpen = !c->keysOpen; }},
     };
+    for (Command& command : ensembleCommands(context)) all.push_back(std::move(command));
     for (int k = 0; k < kMostViews; ++k)
         all.push_back({"Mark view " + std::to_string(k + 1), std::to_string(k + 1), [c, k] {
                            if (k < static_cast<int>(c->workspace.views.size())) c->mark(k);

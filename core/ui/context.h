@@ -106,7 +106,7 @@ struct StudioContext {
     Drawing drawing;
     SpaceView space;
     ShapeText shapeText, alphaShapeText, betaShapeText;
-    enum class Strip { series, web, diagram, motion } strip = Strip::series;
+    enum class Strip { series, web, diagram, profile, motion } strip = Strip::series;
     int paletteStop = -1;  // the chosen stop of an own palette
     int orbitShown = 0;    // the step that the table has been scrolled to
     // An animated number: it runs between its ends until it is stopped, eased to and fro, or

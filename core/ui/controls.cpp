@@ -9,6 +9,7 @@
 #include "render/movie.h"
 #include "render/renderer.h"
 #include "ui/control_list.h"
+#include "ui/ensemble_change.h"
 
 namespace versorium {
 namespace {
@@ -433,6 +434,7 @@ std::vector<ControlEntry> entriesOf(StudioContext& context) {
     collectSlice(context, all);
     collectStudies(context, all);
     collectColours(context, all);
+    collectEnsemble(context, all);
     collectLayers(context, all);
     collectMotion(context, all);
     collectWindow(context, all);
@@ -504,7 +506,12 @@ std::string describeView(StudioContext& context, int view) {
         text += name + formatNumber(scene.slice.centre[k], 5);
         ring += name + formatNumber(marker[k], 5);
     }
-    return text + ring + (parameters ? std::string() : fate(context)) + ".";
+    text += ring + (parameters ? std::string() : fate(context)) + ".";
+    const std::string average = describeEnsemble(context, view);
+    if (!average.empty()) text += " " + average;
+    if (context.strip == StudioContext::Strip::profile && !parameters)
+        text += " " + describeProfile(context);
+    return text;
 }
 
 std::string controlsText(StudioContext& context) {

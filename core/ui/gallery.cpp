@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "io/document.h"
+#include "render/cpu/averaged_map.h"
 #include "ui/texture.h"
 
 namespace versorium {
@@ -14,6 +15,8 @@ static_assert(kThumbnails == kMostViews && kPictureSlots == kGridSlot + 1);
 constexpr const char* kStored = "recent";
 // A thumbnail is not worth more; its points differ from the scene's by the last few bands.
 constexpr int kMostSteps = 2000;
+// Nor the members of an ensemble that are not counted by then; in seconds.
+constexpr double kPortion = 0.3;
 
 Expected<Scene> sceneOfEntry(const Gallery::Entry& entry) {
     if (!entry.preset.empty()) return presetNamed(entry.preset);
@@ -88,6 +91,7 @@ void Gallery::ask(Host& host) {
             request.scene = sceneToJson(*scene).dump();
             request.size = {kWidth, kHeight};
             request.samples = 2;
+            if (showsEnsemble(*scene)) request.portion = kPortion;
             return host.requestPicture(std::move(request));
         }
 }

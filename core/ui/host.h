@@ -30,15 +30,22 @@ struct PictureRequest {
     // Along each side of a pixel. 0: the distance grid of the scene's shape in place of a picture;
     // its bytes come as pixels (io/grid_files.h, packGrid).
     int samples = 1;
+    // Of an averaged map (render/cpu/averaged_maps.h): members are counted for about so many
+    // seconds, on from what was counted before; a picture of fewer than `least` of them is not
+    // wanted. 0: all members are counted, as for an export.
+    double portion = 0;
+    int least = 0;
 };
 
 struct PictureAnswer {
     int view = 0;
     std::uint64_t id = 0;
     Size size{0, 0};
-    std::vector<unsigned char> rgba;  // sRGB, straight alpha, row 0 on top
+    // sRGB, straight alpha, row 0 on top; empty where fewer than `least` members are counted.
+    std::vector<unsigned char> rgba;
     std::string message;              // why there is no picture; empty where there is one
     double seconds = 0;               // that it took
+    int members = 0;                  // that an averaged map has counted; 0 for other pictures
 };
 
 // A file to be made, as the command line makes it: a PNG that carries its scene or its plate, or a

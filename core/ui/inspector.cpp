@@ -5,47 +5,13 @@
 
 #include "render/colouring.h"
 #include "ui/context.h"
+#include "ui/ensemble_change.h"
 #include "ui/help.h"
 #include "ui/number_field.h"
+#include "ui/panel_parts.h"
 
 namespace versorium {
 namespace {
-
-void heading(const char* text) {
-    ImGui::Spacing();
-    ImGui::TextDisabled("%s", text);
-    ImGui::Separator();
-}
-
-void labelled(const char* label) {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(label);
-    ImGui::SameLine();
-    ImGui::SetCursorPosX(ImGui::GetStyle().WindowPadding.x + ImGui::GetFontSize() * 6.8f);
-    ImGui::SetNextItemWidth(-1);
-}
-
-// A choice of words; true when another one was taken.
-bool choose(const char* label, const char* control, std::string& value,
-            const std::vector<std::string>& words, const char* empty = "") {
-    bool changed = false;
-    labelled(label);
-    const std::string id = std::string("##") + label;
-    const bool open = ImGui::BeginCombo(id.c_str(), value.empty() ? empty : value.c_str());
-    if (!open) explain(control);
-    if (open) {
-        for (const std::string& word : words) {
-            const bool now = word == value;
-            if (ImGui::Selectable(word.empty() ? empty : word.c_str(), now) && !now) {
-                value = word;
-                changed = true;
-            }
-            if (now) ImGui::SetItemDefaultFocus();
-        }
-        ImGui::EndCombo();
-    }
-    return changed;
-}
 
 // The plane of a complex number, with the other components below it.
 bool pad(const char* id, double& x, double& y, double low, double high) {
@@ -423,6 +389,8 @@ void drawInspector(StudioContext& context) {
     sliceControls(context);
     heading("Colours");
     colourControls(context);
+    heading("Average over random maps");
+    drawEnsemble(context);
     heading("Images behind and in front");
     drawLayers(context);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/cpu/averaged_map.h"
 #include "ui/texture.h"
 
 namespace versorium {
@@ -12,6 +13,11 @@ namespace {
 // A coarse picture should take about this long, and no longer than a tenth of a second.
 constexpr double kCoarseSeconds = 0.05;
 constexpr int kCoarsest = 16;
+// The coarse picture of an averaged map has about so many members.
+constexpr double kFirstMembers = 16;
+// Seconds of the first portion of members and of the longest, and how they grow. A page without
+// threads gives up what takes 0.4 seconds.
+constexpr double kFirstPortion = 0.1, kLongestPortion = 0.25, kPortionGrowth = 1.3;
 // Orbits of a picture that are kept on the graphics processor: 80 bytes each.
 constexpr double kMostOrbits = 4.2e6;
 // A first picture that takes longer is shown before all its iterations are there, this often.
@@ -48,8 +54,12 @@ void LivePicture::want(Host& host, const GpuUse& gpu, int view, const LiveScene&
     const bool same = scene.text == wanted_ && size == place_.size && gpu.renderer == wantedFrom_;
     if (same && (waiting() || stage_ == kFinished)) return;
     if (!same) {
+        const bool sameOrbits = size == place_.size && scene.orbits == orbits_;
         const bool onlyColours = gpu.renderer && gpu.renderer == wantedFrom_ &&
                                  size == place_.size && scene.orbits == gpuOrbits_;
+        orbits_ = scene.orbits;
+        goal_ = showsEnsemble(scene.scene) ? scene.scene.ensemble.count : 0;
+        portion_ = kFirstPortion;
         wanted_ = scene.text;
         wantedFrom_ = gpu.renderer;
         place_ = scene.place;
@@ -58,7 +68,9 @@ void LivePicture::want(Host& host, const GpuUse& gpu, int view, const LiveScene&
         asked_ = 0;
         message_.clear();
         if (onlyColours && recolour(gpu, scene)) return;
-        stage_ = 0;
+        if (!sameOrbits || goal_ == 0) members_ = shownMembers_ = countedStage_ = 0;
+        // What the host has counted, it goes on from.
+        stage_ = countedStage_;
         gpuWorking_ = false;
     }
     ask(host, gpu, view, scene);
@@ -71,11 +83,18 @@ void LivePicture::ask(Host& host, const GpuUse& gpu, int view, const LiveScene& 
                     std::max(1, place_.size.height / askedDivisor_)};
     };
     const int samples = stage_ == 2 ? finest_ : 1;
-    byGpu_ = askGpu(host, gpu, scene, request(gpuPace_), samples);
+    // An averaged map begins with few members instead of few pixels there.
+    byGpu_ = askGpu(host, gpu, scene, request(goal_ > 0 ? Pace{1} : gpuPace_), samples);
     if (byGpu_) return;
-    const Size size = request(hostPace_);
+    const Size size = request(goal_ > 0 ? memberPace_ : hostPace_);
     asked_ = nextId();
-    host.requestPicture({view, asked_, wanted_, size, samples});
+    PictureRequest wanted{view, asked_, wanted_, size, samples};
+    if (goal_ > 0) {
+        wanted.portion = stage_ == 0 ? kCoarseSeconds : portion_;
+        wanted.least = std::min(shownMembers_, goal_);
+        portion_ = std::min(kLongestPortion, kPortionGrowth * portion_);
+    }
+    host.requestPicture(std::move(wanted));
 }
 
 bool LivePicture::askGpu(Host& host, const GpuUse& gpu, const LiveScene& scene, Size size,
@@ -97,7 +116,8 @@ bool LivePicture::askGpu(Host& host, const GpuUse& gpu, const LiveScene& scene, 
         return false;
     }
     if (!gpu_) gpu_ = std::make_unique<GpuPicture>(*gpu.renderer);
-    if (Status status = gpu_->start(scene.scene, *scene.program, size, {samples, kGround});
+    if (Status status = gpu_->start(scene.scene, *scene.program, size,
+                                    {samples, kGround, std::max(1.0, size.height / 400.0)});
         !status.ok()) {
         constexpr std::string_view kPrefix = "the CPU draws this: ";
         why_ = status.message();
@@ -115,6 +135,8 @@ bool LivePicture::recolour(const GpuUse&, const LiveScene& scene) {
     if (!gpu_->recolour(scene.scene).ok()) return false;
     byGpu_ = true;
     stage_ = gpuStage_;
+    // More members of an ensemble are counted on.
+    gpuWorking_ = gpuWorking_ || gpu_->state() == GpuPicture::State::iterating;
     if (gpuWorking_) return true;
     if (gpu_->state() != GpuPicture::State::finished || !show()) return false;
     arrived();
@@ -128,6 +150,22 @@ void LivePicture::arrived() {
     if (stage_ == 2 && finest_ <= 1) stage_ = kFinished;
 }
 
+// A portion more of the members of an averaged map.
+void LivePicture::takeMembers(const PictureAnswer& answer, double points, double all) {
+    members_ = answer.members;
+    const bool shown = !answer.rgba.empty();
+    if (stage_ == 0) {
+        memberPace_.learn(points * members_ / kFirstMembers, all, answer.seconds);
+        stage_ = 1;
+        return;
+    }
+    countedStage_ = stage_;
+    if (shown) shownMembers_ = members_;
+    if (members_ < goal_) return;
+    arrived();
+    portion_ = kFirstPortion;
+}
+
 void LivePicture::take(PictureAnswer answer) {
     if (answer.id != asked_) return;
     asked_ = 0;
@@ -136,10 +174,15 @@ void LivePicture::take(PictureAnswer answer) {
         stage_ = kFinished;
         return;
     }
-    if (stage_ == 0)
-        hostPace_.learn(1.0 * answer.size.width * answer.size.height,
-                        1.0 * place_.size.width * place_.size.height, answer.seconds);
-    arrived();
+    const double points = 1.0 * answer.size.width * answer.size.height;
+    const double all = 1.0 * place_.size.width * place_.size.height;
+    if (answer.members > 0) {
+        takeMembers(answer, points, all);
+        if (answer.rgba.empty()) return;
+    } else {
+        if (stage_ == 0) hostPace_.learn(points, all, answer.seconds);
+        arrived();
+    }
     pixels_ = std::move(answer.rgba);
     pixelSize_ = answer.size;
     ++pictures_;
@@ -163,7 +206,7 @@ void LivePicture::work(Host& host, double seconds) {
         gpuOrbits_.clear();
         return;
     }
-    if (stage_ == 0) {
+    if (stage_ == 0 && goal_ == 0) {
         const Size made = gpu_->size();
         gpuPace_.learn(1.0 * made.width * made.height, 1.0 * place_.size.width * place_.size.height,
                        now - gpuSince_);
@@ -188,8 +231,17 @@ bool LivePicture::compiling() const {
     return gpuWorking_ && gpu_->state() == GpuPicture::State::compiling;
 }
 
+int LivePicture::members() const {
+    if (goal_ == 0) return 0;
+    if (byGpu_) return stage_ == 0 && gpu_ ? gpu_->members() : goal_;
+    return std::max(members_, shownMembers_);
+}
+
 float LivePicture::progress() const {
-    const float part = gpuWorking_ ? static_cast<float>(gpu_->progress()) : 0;
+    const bool counts = !gpuWorking_ && goal_ > 0 && stage_ > 0 && stage_ < kFinished;
+    const float part = gpuWorking_ ? static_cast<float>(gpu_->progress())
+                       : counts    ? static_cast<float>(members_) / static_cast<float>(goal_)
+                                   : 0;
     return (static_cast<float>(stage_) + part) / kFinished;
 }
 

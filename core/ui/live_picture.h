@@ -5,6 +5,7 @@
 // While a new picture is on its way the old one is shown where its points now lie, so that nothing
 // jumps.
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -19,8 +20,9 @@ namespace versorium {
 // A view's scene in all the forms that drawing it takes.
 struct LiveScene {
     const Scene& scene;
-    const std::string& text;      // its JSON, for the host
-    const std::string& orbits;    // the same without what changes no orbit: colours and `iso`
+    const std::string& text;  // its JSON, for the host
+    // The same without what changes no orbit: colours, `iso` and the number of members.
+    const std::string& orbits;
     const OrbitProgram* program;  // null while its shape has to be made into a grid first
     Viewport place;
 };
@@ -54,6 +56,11 @@ class LivePicture {
     // Why the graphics processor does not draw this; empty where it does.
     const std::string& whyProcessor() const { return why_; }
 
+    // Of an averaged map: how many members are counted, of how many; 0 of other pictures. With
+    // several samples for each pixel they are counted a second time, which shows when it is done.
+    int members() const;
+    int memberGoal() const { return goal_; }
+
     // What is shown, of the place that it was made for; 0 before the first picture.
     unsigned texture() const { return texture_; }
     // How many pictures were shown so far, coarse ones too.
@@ -72,6 +79,7 @@ class LivePicture {
     bool askGpu(Host& host, const GpuUse& gpu, const LiveScene& scene, Size size, int samples);
     bool recolour(const GpuUse& gpu, const LiveScene& scene);
     void arrived();
+    void takeMembers(const PictureAnswer& answer, double points, double all);
     bool show();
     void toTexture();
 
@@ -81,7 +89,13 @@ class LivePicture {
     int finest_ = 2;
     int stage_ = 0;  // coarse, one sample for each pixel, several, finished
     int askedDivisor_ = 1;
-    Pace hostPace_, gpuPace_;
+    Pace hostPace_, gpuPace_, memberPace_;
+    // Of averaged maps, whose pictures sharpen while the host counts on.
+    std::string orbits_;          // of the scene that is wanted
+    int goal_ = 0, members_ = 0;  // members in all, and counted at this stage
+    int shownMembers_ = 0;        // in the picture that is shown
+    int countedStage_ = 0;        // the finest one that was counted for
+    double portion_ = 0;          // seconds of the next one
     std::string message_;
     int pictures_ = 0;
 

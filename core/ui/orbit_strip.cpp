@@ -53,6 +53,7 @@ void drawTabs(StudioContext& context, bool hasWeb) {
     tab("series", StudioContext::Strip::series);
     if (hasWeb) tab("web", StudioContext::Strip::web);
     tab("diagram", StudioContext::Strip::diagram);
+    if (mapOf(context.workspace.views[0]).info.field) tab("profile", StudioContext::Strip::profile);
     tab("motion", StudioContext::Strip::motion);
     ImGui::SameLine(0, 12);
 }
@@ -290,6 +291,12 @@ void drawOrbitStrip(StudioContext& context) {
         const double other = scene.slice.centre.size() > 1 ? scene.slice.centre[1] : 0;
         drawTabs(context, keepsRealLine(*program, program->map->dimension == 1 ? other : 0));
         return drawDiagram(context);
+    }
+    if (context.strip == StudioContext::Strip::profile && !info.field)
+        context.strip = StudioContext::Strip::series;
+    if (program && context.strip == StudioContext::Strip::profile) {
+        drawTabs(context, keepsRealLine(*program, 0));
+        return drawProfile(context);
     }
     if (!program) {
         ImGui::TextDisabled("The shape is being made into a distance grid …");

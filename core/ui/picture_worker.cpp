@@ -18,14 +18,34 @@ Expected<Scene> sceneOfText(const std::string& text) {
     return sceneWithAssets(document->body, document->assets);
 }
 
+using Clock = std::chrono::steady_clock;
+double secondsSince(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+// Goes on with the counts that the picture is then drawn from.
+Status count(PictureMaker& maker, const Scene& scene, const PictureRequest& request, Job& job,
+             PictureAnswer& answer) {
+    const Expected<std::shared_ptr<AveragedMap>> map = maker.averaged.of(scene, request.size);
+    if (!map) return map.status();
+    if (Status status =
+            maker.averaged.count(**map, scene, request.portion, maker.renderer.binder(), job);
+        !status.ok())
+        return status;
+    answer.members = static_cast<int>((*map)->members());
+    maker.renderer.useAveraged(*map);
+    return {};
+}
+
 }  // namespace
 
-PictureAnswer computePicture(CpuRenderer& renderer, const PictureRequest& request, Job& job) {
+PictureAnswer computePicture(PictureMaker& maker, const PictureRequest& request, Job& job) {
+    CpuRenderer& renderer = maker.renderer;
     PictureAnswer answer;
     answer.view = request.view;
     answer.id = request.id;
     answer.size = request.size;
-    const auto begin = std::chrono::steady_clock::now();
+    const auto begin = Clock::now();
     Expected<Scene> scene = sceneOfText(request.scene);
     if (!scene) {
         answer.message = scene.status().message();
@@ -40,6 +60,15 @@ PictureAnswer computePicture(CpuRenderer& renderer, const PictureRequest& reques
         return answer;
     }
     scene->samples = request.samples;
+    renderer.useAveraged(nullptr);
+    if (request.portion > 0 && showsEnsemble(*scene)) {
+        if (Status status = count(maker, *scene, request, job, answer); !status.ok()) {
+            answer.message = status.message();
+            return answer;
+        }
+        answer.seconds = secondsSince(begin);
+        if (answer.members < request.least) return answer;
+    }
     Frame frame;
     // Live pictures are looked at, not measured: the fast kernels draw them.
     const RenderOptions options{Flavour::fast, true, std::max(1.0, request.size.height / 400.0)};
@@ -48,8 +77,7 @@ PictureAnswer computePicture(CpuRenderer& renderer, const PictureRequest& reques
         return answer;
     }
     answer.rgba = std::move(encodeSrgb(frame.colour).values());
-    answer.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (answer.members == 0) answer.seconds = secondsSince(begin);
     return answer;
 }
 

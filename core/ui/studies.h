@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@
 namespace versorium {
 
 struct StudioContext;
+struct RadialProfile;
 
 // A system with all its numbers, and what else a result depends on.
 struct StudyKey {
@@ -65,11 +67,22 @@ struct DiagramStudy {
     std::size_t theme = 99;  // that it was coloured for
 };
 
+// The radial profile of the shape (render/shape_profile.h).
+struct ProfileStudy {
+    std::uint64_t revision = 0;
+    std::string key;      // what it follows from
+    int level = 0;        // how finely it is sampled next
+    bool ended = false;   // no finer one is to come
+    std::string problem;  // why there is none
+    std::shared_ptr<const RadialProfile> profile;
+};
+
 struct Studies {
     CycleStudy cycles;
     std::array<CriticalStudy, kMostViews> critical;
     std::array<BadgeStudy, kMostViews> badges;
     DiagramStudy diagram;
+    ProfileStudy profile;
     int newestAxis = 1;  // of the parameter view: the other one is replaced next
     std::uint64_t comparedRevision = 0;
     std::vector<std::vector<double>> compared;  // the second orbit
@@ -103,6 +116,12 @@ void setDiagramNumber(Workspace& workspace, const std::string& number);
 // As wide as the part of the usual range in which the orbit stays bounded.
 void fitDiagram(StudioContext& context);
 
+// Coarse at once, finer while everything stands still.
+const ProfileStudy& studyProfile(StudioContext& context);
+// What it says at a radius, and in sentences.
+std::string profileAt(const RadialProfile& profile, double radius);
+std::string describeProfile(StudioContext& context);
+
 // Where the set of a parameter view starts: its own p*, or its critical point at the ring. Nothing
 // where the start is on an axis.
 std::optional<std::vector<double>> startOf(StudioContext& context, int view);
@@ -115,11 +134,13 @@ void nextAxis(StudioContext& context, const std::string& name);
 // "→", "↑" or nothing: the axis of the parameter view that is this number alone.
 const char* axisSign(const Workspace& workspace, const std::string& name);
 
-// Panels (study_panel.cpp, diagram_strip.cpp, study_marks.cpp, planar_panel.cpp).
+// Panels (study_panel.cpp, diagram_strip.cpp, profile_strip.cpp, study_marks.cpp,
+// planar_panel.cpp).
 void drawStartControls(StudioContext& context);
 void drawCycleControls(StudioContext& context);
 void drawComparedControls(StudioContext& context);
 void drawPlanarPanel(StudioContext& context);
 void drawDiagram(StudioContext& context);
+void drawProfile(StudioContext& context);
 
 }  // namespace versorium

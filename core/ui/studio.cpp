@@ -163,6 +163,9 @@ void Studio::State::drawRenderer(float right) {
         context.views[static_cast<std::size_t>(context.workspace.focused)].picture;
     std::string text = picture.onGraphicsProcessor() ? "Graphics processor, 32 bits"
                                                      : "Processor, double precision";
+    if (picture.memberGoal() > 0)
+        text = std::to_string(picture.members()) + " of " + std::to_string(picture.memberGoal()) +
+               " sets counted  ·  " + text;
     if (picture.compiling())
         text += ", compiling …";
     else if (!picture.finished())
@@ -195,7 +198,8 @@ void Studio::State::drawWide(ImVec2 low, ImVec2 size) {
     const float bar = ImGui::GetFrameHeightWithSpacing();
     const float inspector = kInspector * context.scale;
     const bool web = context.strip == StudioContext::Strip::web ||
-                     context.strip == StudioContext::Strip::diagram;
+                     context.strip == StudioContext::Strip::diagram ||
+                     context.strip == StudioContext::Strip::profile;
     const float strip =
         std::min((web ? kWebStrip : kStrip) * context.scale, size.y * (web ? 0.45f : 0.25f));
     const float left = size.x - inspector - 8;

@@ -57,6 +57,15 @@ void drawPlaces(const StudioContext& context, int view, const ViewPlane& plane, 
     }
 }
 
+// The scene without what changes no orbit and no count of members.
+std::string orbitsText(Json json) {
+    json.erase("colour");
+    const auto ensemble = json.find("ensemble");
+    if (ensemble != json.end()) ensemble->erase("count");
+    if (ensemble == json.end() || (*ensemble)["set"] != "solid") json.erase("iso");
+    return json.dump();
+}
+
 // The pointer's work; true while it may probe.
 void handlePointer(StudioContext& context, int view, const ViewPlane& plane, bool hovered,
                    bool active) {
@@ -169,9 +178,7 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
         state.aspect = aspect;
         Json json = sceneToJson(drawn);
         state.text = json.dump();
-        json.erase("colour");
-        json.erase("iso");
-        state.orbits = json.dump();
+        state.orbits = orbitsText(std::move(json));
     }
     state.picture.want(context.host, context.gpuUse(), view,
                        {drawn, state.text, state.orbits, context.program(view), plane.place});

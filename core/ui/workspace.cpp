@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "maps/critical.h"
+#include "ui/ensemble_change.h"
 
 namespace versorium {
 namespace {
@@ -414,6 +415,7 @@ void setAxis(Workspace& workspace, std::size_t axis, const std::string& name) {
     }
     slice.origin.clear();
     if (!showsParameters(workspace.view())) workspace.view().criticalStart.reset();
+    keepEnsembleFitting(workspace.view());
 }
 
 void History::record(const Workspace& workspace) {

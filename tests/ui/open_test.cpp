@@ -75,9 +75,9 @@ TEST(Open, AMeshComesAsAGridFromTheHost) {
     EXPECT_EQ(context.program(0), nullptr);
     ASSERT_EQ(host.pictures.size(), 1u) << "one request for all views";
     EXPECT_EQ(host.pictures[0].view, kGridSlot);
-    CpuRenderer renderer;
+    PictureMaker maker;
     Job job(1);
-    PictureAnswer answer = computePicture(renderer, host.pictures[0], job);
+    PictureAnswer answer = computePicture(maker, host.pictures[0], job);
     EXPECT_EQ(answer.message, "");
     context.takeGrid(answer);
     const OrbitProgram* program = context.orbitProgram();

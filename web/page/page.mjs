@@ -57,14 +57,16 @@ function wakeAnew() {
 
 // What comes back from the workers
 
-function deliverPicture(request, { bytes, message = "", seconds = 0 }) {
+function deliverPicture(request, { bytes, message = "", seconds = 0, members = 0 }) {
   // A distance grid is as long as it is.
   if (request.samples === 0 && bytes) [request.width, request.height] = [bytes.length / 4, 1];
   const fits = bytes?.length === request.width * request.height * 4;
   const begin = studio._page_picture_begin(
-    request.view, request.id, fits ? request.width : 0, fits ? request.height : 0, seconds);
+    request.view, request.id, fits ? request.width : 0, fits ? request.height : 0, seconds, members);
   if (fits) studio.HEAPU8.set(bytes, begin);
-  call("page_picture_end", null, fits ? message : message || "the picture did not arrive");
+  // Of an averaged map there may be no picture yet.
+  const lost = !fits && !(members > 0 && bytes?.length === 0);
+  call("page_picture_end", null, lost ? message || "the picture did not arrive" : message);
   wake();
 }
 

@@ -77,7 +77,7 @@ export class Pictures {
     this.waiting = new Map(); // view → its newest request
     this.rates = new Map(); // view → samples in a millisecond, of its last picture
     const arrived = (request, answer) => {
-      if (answer.bytes) this.rates.set(request.view, costOf(request) / Math.max(1, answer.seconds * 1000));
+      if (answer.bytes && !answer.members) this.rates.set(request.view, costOf(request) / Math.max(1, answer.seconds * 1000));
       deliver(request, answer);
       this.next();
     };
@@ -99,7 +99,8 @@ export class Pictures {
     // Views take turns: a map keeps the order in which its keys came. The gallery comes last.
     const inTurn = [...this.waiting].sort(([one], [other]) => (one === thumbnails) - (other === thumbnails));
     for (const [view, request] of inTurn) {
-      const able = this.isLong(request) ? this.slots.slice(-1) : this.slots;
+      // What is counted of an averaged map stays in one worker.
+      const able = request.portion > 0 || this.isLong(request) ? this.slots.slice(-1) : this.slots;
       const free = able.find((slot) => !slot.running);
       if (!free) continue;
       this.waiting.delete(view);

@@ -17,7 +17,7 @@ async function open(start) {
     mainScriptUrlOrBlob: partOf("versorium_studio.mjs"),
     threads,
     progress: (progress) => postMessage({ progress }),
-    done: (bytes, message, seconds) => done({ bytes, message, seconds }),
+    done: (bytes, message, seconds, members) => done({ bytes, message, seconds, members }),
   });
 }
 
@@ -25,7 +25,8 @@ function run(module, task) {
   const ended = new Promise((resolve) => (done = resolve));
   if (task.task === "picture")
     withTexts(module, [task.scene], (scene) =>
-      module._worker_picture(threads, scene, task.width, task.height, task.samples));
+      module._worker_picture(
+        threads, scene, task.width, task.height, task.samples, task.portion, task.least));
   else
     withTexts(module, [task.document, task.name], (document, name) =>
       module._worker_export(threads, document, name));

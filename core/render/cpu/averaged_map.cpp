@@ -17,8 +17,8 @@ constexpr std::string_view kMagic = "VRSAVG1\n";
 constexpr std::size_t kHead = 8 + 64 + 4 + 4 + 8;
 constexpr std::uint64_t kMostCounted = std::numeric_limits<std::uint32_t>::max();
 
-// What the counts follow from: the scene without its colours, its layers and the number of members.
-std::string keyOf(Scene scene, Size size) {
+// The scene without its colours, its layers and the number of members.
+std::string textOf(Scene scene, Size size) {
     scene.colour = {};
     scene.layers.clear();
     scene.ensemble.count = 1;
@@ -29,9 +29,8 @@ std::string keyOf(Scene scene, Size size) {
              {&scene.shape.source, &scene.alphaOverSpace.shape, &scene.betaOverSpace.shape})
             if (*shape == "asset:" + hash) used[hash] = asset;
     scene.assets = used;
-    const std::string text = printJson(sceneToJson(scene)) + std::to_string(size.width) + "x" +
-                             std::to_string(size.height);
-    return sha256(text);
+    return printJson(sceneToJson(scene)) + std::to_string(size.width) + "x" +
+           std::to_string(size.height);
 }
 
 void put(std::vector<unsigned char>& bytes, std::uint64_t value, int size) {
@@ -45,6 +44,16 @@ std::uint64_t get(std::span<const unsigned char> bytes, std::size_t at, int size
 }
 
 }  // namespace
+
+bool showsEnsemble(const Scene& scene) {
+    const Colouring& colour = scene.colour;
+    return scene.ensemble.varies() && colour.rule == "palette" &&
+           (colour.field == "mean_membership" || colour.field == "standard_error");
+}
+
+std::string AveragedMap::keyOf(const Scene& scene, Size size) {
+    return sha256(textOf(scene, size));
+}
 
 Expected<AveragedMap> AveragedMap::make(const Scene& scene, Size size) {
     if (Status status = checkSize(scene, size); !status.ok()) return status;

@@ -17,6 +17,9 @@ namespace versorium {
 
 class Binder;
 
+// Whether the picture of a scene shows what is counted over an ensemble.
+bool showsEnsemble(const Scene& scene);
+
 class AveragedMap {
   public:
     // Nothing is counted yet. `size` is in pixels; there is a count for each of the scene's
@@ -33,6 +36,9 @@ class AveragedMap {
     // Of a rectangle of samples, row after row.
     std::vector<std::uint32_t> counts(int x, int y, int width, int height) const;
 
+    // What the counts of a scene and size follow from, as a hash: equal ones have equal counts.
+    static std::string keyOf(const Scene& scene, Size size);
+    const std::string& key() const { return key_; }
     // ErrorKind::usage unless this is the map of that scene and size. Colours, layers, iso where
     // the solid set is not counted, and the number of members may differ.
     Status check(const Scene& scene, Size size) const;

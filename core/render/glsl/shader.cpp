@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "maps/bound.h"
 #include "trace/glsl.h"
 
 namespace versorium {
@@ -98,6 +99,9 @@ vec4 quaternionPower(vec4 q, float e) {
     }
     return e < 0.0 ? vec4(result.x, -result.yzw) / dot(result, result) : result;
 }
+)";
+
+constexpr const char* kLists = R"(
 int listSize(int list) {
     return uListSize[list];
 }
@@ -106,6 +110,25 @@ float listItem(int list, int item, int component) {
         if (uOverride[k] == ivec3(list, item, component)) return overrideValue[k];
     if (component == 4) return texelFetch(uRoots, ivec2(item, 2 * list + 1), 0).x;
     return texelFetch(uRoots, ivec2(item, 2 * list), 0)[component];
+}
+)";
+
+// One list may be drawn anew for each member.
+constexpr const char* kMemberLists = R"(
+uniform int uDrawnList;
+
+int memberRow = 0;
+int memberSize = 0;
+
+int listSize(int list) {
+    return list == uDrawnList ? memberSize : uListSize[list];
+}
+float listItem(int list, int item, int component) {
+    for (int k = 0; k < uOverrideCount; ++k)
+        if (uOverride[k] == ivec3(list, item, component)) return overrideValue[k];
+    int row = list == uDrawnList ? memberRow : 2 * list;
+    if (component == 4) return texelFetch(uRoots, ivec2(item, row + 1), 0).x;
+    return texelFetch(uRoots, ivec2(item, row), 0)[component];
 }
 )";
 
@@ -252,6 +275,70 @@ void main() {
 }
 )";
 
+// FIRST_ROW is that of the first member in uRoots.
+constexpr const char* kCounting = R"(
+uniform vec4 uNumbers[COUNT];
+uniform vec2 uSize;
+uniform int uIterations;
+uniform int uMember;
+uniform int uMembers;
+uniform bool uFirst;
+uniform bool uBounded;
+uniform float uSquaredRadius;
+uniform float uSquaredCapture;
+uniform bool uSolid;
+uniform float uSquaredSolid;
+uniform sampler2D uFields;
+
+layout(location = 0) out vec4 outFields;
+layout(location = 1) out vec4 outState;
+layout(location = 2) out vec4 outImage;
+
+bool isUndefined(float x) {
+    return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
+}
+bool within(float norm) {
+    return !isUndefined(norm) && (!uBounded || norm <= uSquaredRadius);
+}
+float squaredNorm(float state[D]) {
+    float sum = 0.0;
+    for (int k = 0; k < D; ++k) sum += state[k] * state[k];
+    return sum;
+}
+void main() {
+    vec2 at = gl_FragCoord.xy - 0.5 * uSize;
+    float numbers[COUNT];
+    for (int k = 0; k < COUNT; ++k)
+        numbers[k] = uNumbers[k].x + at.x * uNumbers[k].y + at.y * uNumbers[k].z;
+    float count = uFirst ? 0.0 : texelFetch(uFields, ivec2(gl_FragCoord.xy), 0).x;
+    for (int m = 0; m < uMembers; ++m) {
+        memberRow = FIRST_ROW + 3 * (uMember + m);
+        memberSize = int(texelFetch(uRoots, ivec2(0, memberRow + 1), 0).y);
+        // The same places every time: the values of the member before need no taking back.
+        for (int k = 0; k < DRAWN; ++k) {
+            vec2 drawn = texelFetch(uRoots, ivec2(k, memberRow + 2), 0).xy;
+            numbers[int(drawn.y)] = drawn.x;
+        }
+        float state[D];
+        float parameters[P];
+        for (int k = 0; k < D; ++k) state[k] = numbers[k];
+        for (int k = 0; k < P; ++k) parameters[k] = numbers[D + k];
+        for (int k = 0; k < 4; ++k) overrideValue[k] = numbers[D + P + k];
+        float norm = squaredNorm(state);
+        for (int n = 0; n < uIterations; ++n) {
+            if (!within(norm) || norm < uSquaredCapture) break;
+            mapStep(state, parameters);
+            norm = squaredNorm(state);
+        }
+        bool counts = uSolid ? !isUndefined(norm) && norm < uSquaredSolid : within(norm);
+        if (counts) count += 1.0;
+    }
+    outFields = vec4(count, 0.0, 0.0, 0.0);
+    outState = vec4(0.0);
+    outImage = vec4(0.0);
+}
+)";
+
 // The shape's numbers are uniforms, so that one program serves all shapes of the same form.
 std::string shapeField(const Tape& shape) {
     const std::string step = glslStep(shape);
@@ -281,12 +368,19 @@ std::string sizesOf(const Tape& tape) {
 
 std::string iterationShader(const Tape& tape, const Tape* shape, double attraction) {
     return kShaderHead + sizesOf(tape) + "#define ATTRACTION " + glslFloat(attraction) + "\n" +
-           kLibrary + (shape ? shapeField(*shape) : std::string(kGridField)) + glslStep(tape) +
-           kIteration;
+           kLibrary + kLists + (shape ? shapeField(*shape) : std::string(kGridField)) +
+           glslStep(tape) + kIteration;
+}
+
+std::string countingShader(const Tape& tape, const Tape* shape, int drawn) {
+    return kShaderHead + sizesOf(tape) + "#define DRAWN " + std::to_string(drawn) +
+           "\n#define FIRST_ROW " + std::to_string(2 * kMostLists) + "\n" + kLibrary +
+           kMemberLists + (shape ? shapeField(*shape) : std::string(kGridField)) + glslStep(tape) +
+           kCounting;
 }
 
 std::string escapeShader(const Tape& tape) {
-    return kShaderHead + sizesOf(tape) + kLibrary + kGridField + glslStep(tape) + kFrame;
+    return kShaderHead + sizesOf(tape) + kLibrary + kLists + kGridField + glslStep(tape) + kFrame;
 }
 
 }  // namespace versorium

@@ -26,4 +26,12 @@ std::string escapeShader(const Tape& tape);
 // parameters) or null for a grid. `attraction` bounds squared differences of squared norms.
 std::string iterationShader(const Tape& tape, const Tape* shape, double attraction);
 
+// Members of an ensemble (fields/ensemble.h), a few in each draw: each runs its orbit from the
+// start to the end, and those whose set holds the pixel are counted.
+//   outFields  (members counted so far, 0, 0, 0)
+// uRoots has three rows more for each member: components and powers of the roots of the list that
+// is drawn (the second component of the first power says how many), and numbers that are drawn
+// (value, place among uNumbers), of which there are `drawn`.
+std::string countingShader(const Tape& tape, const Tape* shape, int drawn);
+
 }  // namespace versorium

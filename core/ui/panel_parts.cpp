@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "ui/panel_parts.h"
+
+#include "imgui.h"
+#include "ui/help.h"
+
+namespace versorium {
+
+void heading(const char* text) {
+    ImGui::Spacing();
+    ImGui::TextDisabled("%s", text);
+    ImGui::Separator();
+}
+
+void labelled(const char* label) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(ImGui::GetStyle().WindowPadding.x + ImGui::GetFontSize() * 6.8f);
+    ImGui::SetNextItemWidth(-1);
+}
+
+bool choose(const char* label, const char* control, std::string& value,
+            const std::vector<std::string>& words, const char* empty) {
+    bool changed = false;
+    labelled(label);
+    const std::string id = std::string("##") + label;
+    const bool open = ImGui::BeginCombo(id.c_str(), value.empty() ? empty : value.c_str());
+    if (!open) explain(control);
+    if (open) {
+        for (const std::string& word : words) {
+            const bool now = word == value;
+            if (ImGui::Selectable(word.empty() ? empty : word.c_str(), now) && !now) {
+                value = word;
+                changed = true;
+            }
+            if (now) ImGui::SetItemDefaultFocus();
+        }
+        ImGui::EndCombo();
+    }
+    return changed;
+}
+
+}  // namespace versorium
