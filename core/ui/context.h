@@ -13,6 +13,8 @@
 #include "fields/evaluate.h"
 #include "render/bind.h"
 #include "render/viewport.h"
+#include "ui/circles.h"
+#include "ui/contact_sheet.h"
 #include "ui/export_document.h"
 #include "ui/formulas.h"
 #include "ui/gallery.h"
@@ -21,6 +23,7 @@
 #include "ui/motion.h"
 #include "ui/studies.h"
 #include "ui/theme.h"
+#include "ui/versor.h"
 #include "ui/workspace.h"
 
 namespace versorium {
@@ -41,7 +44,18 @@ struct ViewState {
     Visits visits;
     std::optional<Glide> glide;  // on its way; the workspace holds where it is now
     ImVec2 low{}, high{};        // its rectangle in the window
-    enum class Drag { none, pan, marker, box, pinch, start, compared } drag = Drag::none;
+    enum class Drag {
+        none,
+        pan,
+        marker,
+        box,
+        pinch,
+        start,
+        compared,
+        root,
+        circle,  // its radius
+        centre   // of a circle
+    } drag = Drag::none;
     ImVec2 dragFrom{};
     double pinchedAt = -100;  // when two fingers moved it last
 };
@@ -96,6 +110,9 @@ struct StudioContext {
     double noticeAt = -100;
     Probe probe;
     Studies studies;
+    VersorState versor;
+    CircleStudies circles;
+    ContactSheet sheet;
     enum class Strip { series, web, diagram, motion } strip = Strip::series;
     int paletteStop = -1;  // the chosen stop of an own palette
     int orbitShown = 0;    // the step that the table has been scrolled to
@@ -143,7 +160,9 @@ struct StudioContext {
     // What was done is a step of the history now.
     void record();
     // A dialog stands over the views and takes the keys.
-    bool dialogOpen() const { return searchOpen || exportOpen || galleryOpen || fileOpen; }
+    bool dialogOpen() const {
+        return searchOpen || exportOpen || galleryOpen || fileOpen || sheet.open;
+    }
     void say(std::string text);
     void report(const Status& status);
     void undo();

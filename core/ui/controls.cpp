@@ -9,6 +9,7 @@
 #include "render/movie.h"
 #include "render/renderer.h"
 #include "ui/control_list.h"
+#include "ui/roots_panel.h"
 
 namespace versorium {
 namespace {
@@ -428,6 +429,7 @@ std::vector<ControlEntry> entriesOf(StudioContext& context) {
     ControlList all(context);
     collectMap(context, all);
     collectParameters(context, all);
+    collectVersor(context, all);
     collectOrbit(context, all);
     collectSlice(context, all);
     collectStudies(context, all);
@@ -503,7 +505,8 @@ std::string describeView(StudioContext& context, int view) {
         text += name + formatNumber(scene.slice.centre[k], 5);
         ring += name + formatNumber(marker[k], 5);
     }
-    return text + ring + (parameters ? std::string() : fate(context)) + ".";
+    return text + ring + (parameters ? std::string() : fate(context)) + "." +
+           (parameters ? std::string() : describeCircles(context));
 }
 
 std::string controlsText(StudioContext& context) {

@@ -7,6 +7,7 @@
 #include "ui/context.h"
 #include "ui/help.h"
 #include "ui/number_field.h"
+#include "ui/roots_panel.h"
 
 namespace versorium {
 namespace {
@@ -360,6 +361,15 @@ void drawInspector(StudioContext& context) {
     heading("Parameters");
     if (workspace.views[0].map != "planar") parameters(context);
     drawPlanarPanel(context);
+
+    if (hasRoots(workspace)) {
+        heading("Versor d: roots and poles");
+        drawVersorPanel(context);
+    }
+    if (takesCircles(workspace)) {
+        heading("Basins and circles");
+        drawCircleControls(context);
+    }
 
     if (showsParameters(workspace.view())) {
         heading("Start of the orbits in the marked view");
