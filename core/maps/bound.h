@@ -29,11 +29,29 @@ struct Override {
     R value{};
 };
 
+// The bound distance field, with what α and β of a shape modulus are over space.
+template <class R>
+struct FieldLookup {
+    const DistanceField* field = nullptr;
+
+    R distance(const R& x, const R& y, const R& z) const { return field->at(x, y, z); }
+    R alphaAt(const R& x, const R& y, const R& z, const R& base) const {
+        return field->alpha() ? field->alpha()->at(x, y, z, base) : base;
+    }
+    R betaAt(const R& x, const R& y, const R& z, const R& base) const {
+        return field->beta() ? field->beta()->at(x, y, z, base) : base;
+    }
+};
+// A grid has no second derivatives; no map that looks into a field is asked for them.
+template <class R>
+struct FieldLookup<Dual<Dual<R>>> : NothingBound {
+    const DistanceField* field = nullptr;
+};
+
 // Everything that a step sees beside its state and its parameters. Refers to what the caller keeps.
 template <class R>
-struct Environment {
+struct Environment : FieldLookup<R> {
     const BoundList* lists[kMostLists] = {};
-    const DistanceField* field = nullptr;
     Override<R> overrides[kMostOverrides] = {};
     int overrideCount = 0;
     const TapeCode* program = nullptr;  // of a typed formula
@@ -48,13 +66,6 @@ struct Environment {
         return R(static_cast<ScalarOf<R>>(
             component == 4 ? root.power : root.q[static_cast<std::size_t>(component)]));
     }
-    R distance(const R& x, const R& y, const R& z) const { return field->at(x, y, z); }
-    R alphaAt(const R& x, const R& y, const R& z, const R& base) const {
-        return field->alpha() ? field->alpha()->at(x, y, z, base) : base;
-    }
-    R betaAt(const R& x, const R& y, const R& z, const R& base) const {
-        return field->beta() ? field->beta()->at(x, y, z, base) : base;
-    }
 };
 
 // Recording needs only the tape.
@@ -65,9 +76,20 @@ struct Environment<Expr> {
         return {tape,
                 tape->add({.op = Op::distance, .a = x.on(tape), .b = y.on(tape), .c = z.on(tape)})};
     }
-    // Tapes know α and β that are the same everywhere.
-    Expr alphaAt(const Expr&, const Expr&, const Expr&, const Expr& base) const { return base; }
-    Expr betaAt(const Expr&, const Expr&, const Expr&, const Expr& base) const { return base; }
+    Expr alphaAt(const Expr& x, const Expr& y, const Expr& z, const Expr& base) const {
+        return modulated(Op::alphaAt, x, y, z, base);
+    }
+    Expr betaAt(const Expr& x, const Expr& y, const Expr& z, const Expr& base) const {
+        return modulated(Op::betaAt, x, y, z, base);
+    }
+
+  private:
+    Expr modulated(Op op, const Expr& x, const Expr& y, const Expr& z, const Expr& base) const {
+        return {
+            tape,
+            tape->add(
+                {.op = op, .a = x.on(tape), .b = y.on(tape), .c = z.on(tape), .d = base.on(tape)})};
+    }
 };
 
 // One root as a step sees it.

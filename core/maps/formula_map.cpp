@@ -6,7 +6,9 @@
 #include <mutex>
 
 #include "maps/critical.h"
+#include "maps/formula_shape.h"
 #include "maps/formula_step.h"
+#include "maps/shape_modulus.h"
 
 namespace versorium {
 namespace {
@@ -44,6 +46,7 @@ ParameterKind kindOf(FormulaKind kind) {
 // The catalogue's own radii where a formula is one of its families; polynomials with other terms
 // need more room, and others are mostly judged by how large they can get.
 double radiusOf(const Formula& formula) {
+    if (formula.shape) return shape_modulus::kEscapeRadius;
     switch (formula.space) {
         case FormulaSpace::complex:
             return formula.unicritical ? 2 : formula.degree >= 2 ? 10 : 50;
@@ -116,12 +119,13 @@ Kept& kept() {
 Expected<std::shared_ptr<const FormulaMap>> FormulaMap::make(std::string_view text,
                                                              FormulaFault* fault) {
     if (auto known = kept().find(text)) return known;
-    Expected<Formula> formula = parseFormula(text, fault);
+    Expected<Formula> formula = parseFormula(text, fault, &formulaShape());
     if (!formula) return formula.status();
     if (auto known = kept().find(formula->text)) {
         kept().add(std::string(text), known);
         return known;
     }
+    if (formula->shape) formula->tape = shapeTape(*formula);
     Expected<TapeProgram> program = TapeProgram::make(formula->tape);
     if (!program) {
         if (fault) *fault = {0, program.status().message()};
@@ -152,22 +156,28 @@ void FormulaMap::describe() {
                                .low = parameter.low,
                                .high = parameter.high,
                                .help = {}});
+    if (formula_.shape) {
+        const auto own = shapeParameters(formula_.space);
+        for (std::size_t k = 0; k < own.size(); ++k) parameters_[k].help = own[k].help;
+    }
     info_ = {.name = kFormulaName,
              .title = "Typed formula",
              .formula = formula_.body,
              .algebra = algebraOf(formula_.space),
              .parameters = parameters_,
+             .field = formula_.shape,
              .escapeRadius = radiusOf(formula_),
              .degree = formula_.growth >= 2 ? static_cast<double>(formula_.growth) : 2.0,
-             .homeHeight = formula_.space == FormulaSpace::line ? 4.0
+             .homeHeight = formula_.shape                         ? shape_modulus::kHomeHeight
+                           : formula_.space == FormulaSpace::line ? 4.0
                            : formula_.unicritical || formula_.space == FormulaSpace::quaternion
                                ? 3.2
                            : formula_.degree >= 2 ? 4.0
                                                   : 6.0,
              .source = "typed by you"};
     const int dimension = dimensionOf(formula_.space);
-    kernels_ = rowOfDimension(dimension, info_, this, code_, true);
-    if (dimension != 2) return;
+    kernels_ = rowOfDimension(dimension, info_, this, code_, !formula_.shape);
+    if (dimension != 2 || formula_.shape) return;
     // Critical points are offered where there is one to begin with.
     std::vector<double> values;
     for (const ParameterInfo& parameter : parameters_)

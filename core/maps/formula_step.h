@@ -48,12 +48,13 @@ template <class R>
 struct FormulaArguments {
     const R* parameters;
     const TapeCode* program;
+    FieldLookup<R> bound;
 };
 template <class R>
 struct Layout<FormulaArguments<R>> {
     static constexpr int kWidth = kFormulaParameters;
     static FormulaArguments<R> take(const R*& parameters, const Environment<R>& environment) {
-        return {parameters, environment.program};
+        return {parameters, environment.program, environment};
     }
 };
 
@@ -78,7 +79,7 @@ struct FormulaStep {
     static FormulaState<D, R> step(const FormulaState<D, R>& z, const FormulaArguments<R>& p) {
         if constexpr (RegistersOf<R>::kCount == 1) {
             FormulaState<D, R> next = z;
-            runOnce(*p.program, next.part, p.parameters);
+            runOnce(*p.program, next.part, p.parameters, p.bound);
             return next;
         } else {
             File<R> file(z, p);
@@ -107,6 +108,7 @@ struct FormulaStep {
 
       public:
         File(const FormulaState<D, R>& z, const FormulaArguments<R>& p) : program_(*p.program) {
+            bound_.field = p.bound.field;
             int next = 0;
             for (int k = 0; k < D; ++k) put(z.part[k], next++);
             for (int k = 0; k < program_.parameterSize; ++k) put(p.parameters[k], next++);
@@ -114,14 +116,14 @@ struct FormulaStep {
                 for (int w = 0; w < kW; ++w)
                     file_[next][w] = Register(static_cast<T>(program_.constants[k]));
         }
-        void run() { execute<kW>(program_, file_); }
+        void run() { execute<kW>(program_, file_, bound_); }
         template <class Mask>
         auto runInside(int steps, const R& radius, const Mask& start) {
             Register inside[kW], bound[kW];
             split(select(start, R(T(1)), R(T(0))), inside);
             split(radius, bound);
             for (int i = 0; i < steps; ++i) {
-                execute<kW>(program_, file_);
+                execute<kW>(program_, file_, bound_);
                 for (int w = 0; w < kW; ++w) {
                     Register norm = file_[0][w] * file_[0][w];
                     for (int k = 1; k < D; ++k) norm = norm + file_[k][w] * file_[k][w];
@@ -147,6 +149,7 @@ struct FormulaStep {
         void put(const R& value, int at) { split(value, file_[at]); }
 
         const TapeCode& program_;
+        FieldLookup<Register> bound_;  // of a shape(…)
         Register file_[kMostRegisters][kW];
     };
 };

@@ -16,6 +16,7 @@ namespace shape_modulus {
 
 // e^300 is beyond every escape radius and e^600, its squared norm, is still finite.
 inline constexpr double kLargestExponent = 300;
+inline constexpr double kEscapeRadius = 20, kHomeHeight = 1.2;
 
 inline constexpr ParameterInfo kOwn[] = {
     {.name = "alpha", .value = {8}, .low = 0, .high = 100, .help = "thinness of the shell"},
@@ -63,28 +64,54 @@ R exponentAt(const State& x, const Controls<R, State>& controls, const Field<R>&
     return min(max(alpha * (phi - offset), -largest), largest);
 }
 
-template <class M>
-constexpr std::size_t innerCount() {
-    return std::size(M::kParameters);
+// e^logModulus p/|p|, where p is the inner map's value and q the point itself.
+template <class R, class State>
+State withDirection(const State& q, const State& p, const R& logModulus) {
+    // A squared norm of p that is 0, infinite or NaN leaves no direction.
+    const R square = squaredNorm(p);
+    const auto good = (square > R(0.0)) & (square < R(kNoEscape));
+    const State chosen = select(good, p, q);
+    const R chosenSquare = select(good, square, squaredNorm(q));
+    const auto usable = (chosenSquare > R(0.0)) & (chosenSquare < R(kNoEscape));
+    const R scale = exp(logModulus) / sqrt(select(usable, chosenSquare, R(1.0)));
+    return scale * select(usable, chosen, powers::unit(q));
 }
-template <class M>
-constexpr auto joinedParameters() {
-    constexpr bool quaternion = M::info.algebra == Algebra::quaternion;
-    std::array<ParameterInfo, 4 + (quaternion ? 1 : 0) + innerCount<M>()> all{};
+
+// f(q) around any function p of x.
+template <class R, class State, class Inner>
+State stepAround(const State& q, const Controls<R, State>& controls, const Field<R>& field,
+                 Inner p) {
+    const State x = q - controls.shift;
+    const R logModulus = exponentAt(x, controls, field);
+    return withDirection(q, p(x), logModulus);
+}
+
+// The parameters that come before those of p, in the order of Controls.
+template <bool kQuaternion>
+constexpr auto ownParameters() {
+    std::array<ParameterInfo, kQuaternion ? 5 : 4> all{};
     std::size_t next = 0;
     for (const ParameterInfo& own : kOwn) all[next++] = own;
     all[next++] = {.name = "shift",
-                   .kind = quaternion ? ParameterKind::quaternion : ParameterKind::complex,
+                   .kind = kQuaternion ? ParameterKind::quaternion : ParameterKind::complex,
                    .low = -1,
                    .high = 1,
                    .help = "moves the shape and the inner map against the origin"};
-    if (quaternion)
+    if constexpr (kQuaternion)
         all[next++] = {.name = "drop",
                        .kind = ParameterKind::whole,
                        .value = {3},
                        .low = 0,
                        .high = 3,
                        .help = "component that the shape does not see: 0 w … 3 z"};
+    return all;
+}
+template <class M>
+constexpr auto joinedParameters() {
+    constexpr auto own = ownParameters<M::info.algebra == Algebra::quaternion>();
+    std::array<ParameterInfo, own.size() + std::size(M::kParameters)> all{};
+    std::size_t next = 0;
+    for (const ParameterInfo& parameter : own) all[next++] = parameter;
     for (const ParameterInfo& inner : M::kParameters) all[next++] = inner;
     return all;
 }
@@ -132,8 +159,8 @@ struct ShapeModulus {
                                   .parameters = kParameters,
                                   .lists = Inner::info.lists,
                                   .field = true,
-                                  .escapeRadius = 20,
-                                  .homeHeight = 1.2,
+                                  .escapeRadius = shape_modulus::kEscapeRadius,
+                                  .homeHeight = shape_modulus::kHomeHeight,
                                   .source = "S eqs 2-3"};
     static constexpr int kRegisters = 1;
     static constexpr bool kStepwise = true;
@@ -145,8 +172,8 @@ struct ShapeModulus {
     static StateOf<Inner, R> step(StateOf<Inner, R> q,
                                   shape_modulus::Controls<R, StateOf<Inner, R>> controls,
                                   Field<R> field, InnerArguments<R> inner) {
-        return withLogModulus<R>(q, logModulus<R>(q, controls, field, inner), controls, field,
-                                 inner);
+        return shape_modulus::stepAround(
+            q, controls, field, [&](const StateOf<Inner, R>& x) { return direction<R>(x, inner); });
     }
 
     // log |f(q)|, but for rounding, at a fraction of the price of f(q).
@@ -160,16 +187,7 @@ struct ShapeModulus {
     static StateOf<Inner, R> withLogModulus(StateOf<Inner, R> q, R logModulus,
                                             shape_modulus::Controls<R, StateOf<Inner, R>> controls,
                                             Field<R>, const InnerArguments<R>& inner) {
-        using State = StateOf<Inner, R>;
-        const State p = direction<R>(q - controls.shift, inner);
-        // A squared norm of p that is 0, infinite or NaN leaves no direction.
-        const R square = squaredNorm(p);
-        const auto good = (square > R(0.0)) & (square < R(kNoEscape));
-        const State chosen = select(good, p, q);
-        const R chosenSquare = select(good, square, squaredNorm(q));
-        const auto usable = (chosenSquare > R(0.0)) & (chosenSquare < R(kNoEscape));
-        const R scale = exp(logModulus) / sqrt(select(usable, chosenSquare, R(1.0)));
-        return scale * select(usable, chosen, powers::unit(q));
+        return shape_modulus::withDirection(q, direction<R>(q - controls.shift, inner), logModulus);
     }
 
   private:

@@ -9,9 +9,9 @@
 #include "io/grid_files.h"
 #include "io/image_files.h"
 #include "io/mesh_files.h"
+#include "render/root_region.h"
 #include "render/shape_profile.h"
 #include "scene/numbers.h"
-#include "shape/bounds.h"
 #include "shape/image_distance.h"
 #include "shape/mesh_distance.h"
 #include "shape/outline.h"
@@ -114,25 +114,6 @@ std::size_t numberIndex(const Scene& scene, const std::string& name, OrbitProgra
     return numberIndex(scene, *numberNamed(scene, name), program);
 }
 
-// The box of the shape, in the components of a point at which the shape is looked up.
-void takeShapeBox(const Scene& scene, const OrbitProgram& program, RandomRoots& roots) {
-    const bool planar = program.map->info.algebra == Algebra::complex;
-    const ShapeBounds bounds = boundsOf(*program.field, planar ? 2 : 3);
-    int dropped = 3;
-    if (const auto drop = scene.parameters.find("drop"); drop != scene.parameters.end())
-        dropped = static_cast<int>(std::clamp(drop->second[0], 0.0, 3.0));
-    roots.centre.fill(0);
-    roots.half.fill(0);
-    std::size_t next = 0;
-    for (int k = 0; k < (planar ? 2 : 4); ++k) {
-        if (k == dropped) continue;
-        const auto at = static_cast<std::size_t>(k);
-        roots.centre[at] = 0.5 * (bounds.low[next] + bounds.high[next]);
-        roots.half[at] = 0.5 * (bounds.high[next] - bounds.low[next]);
-        ++next;
-    }
-}
-
 // Where nothing but the roots differs, orbits near enough to the origin of the plane are kept by
 // every member.
 double captureOf(const Scene& scene, const OrbitProgram& program, double escapeRadius, Job& job) {
@@ -169,7 +150,7 @@ std::shared_ptr<const Ensemble> ensembleOf(const Scene& scene, OrbitProgram& pro
         ensemble->list = static_cast<int>(std::find(names.begin(), names.end(), spec.roots->list) -
                                           names.begin());
         ensemble->roots = spec.roots->draw;
-        if (spec.roots->shapeBox) takeShapeBox(scene, program, ensemble->roots);
+        if (spec.roots->shapeBox) takeShapeBox(scene, *program.field, ensemble->roots);
     }
     for (const EnsembleRange& range : spec.ranges)
         ensemble->ranges.push_back({numberIndex(scene, range.name, program), range.from, range.to});

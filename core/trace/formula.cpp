@@ -23,6 +23,7 @@ const std::vector<FunctionInfo> kFunctions = {
     {"arg", Function::arg, 1},     {"re", Function::re, 1},       {"im", Function::im, 1},
     {"conj", Function::conj, 1},   {"floor", Function::floor, 1}, {"min", Function::min, 2},
     {"max", Function::max, 2},     {"atan2", Function::atan2, 2}, {"if", Function::choose, 3},
+    {"shape", Function::shape, 1},
 };
 
 namespace {
@@ -576,10 +577,13 @@ class Parser {
 
 class Meaning {
   public:
-    Meaning(Parser& parser, Formula& formula) : parser_(parser), formula_(formula) {}
+    Meaning(Parser& parser, Formula& formula, const FormulaShape* shape)
+        : parser_(parser), formula_(formula), shape_(shape) {}
     FormulaFault fault;
 
-    bool find() { return findSpace() && resolveAll() && declare() && findDefaults(); }
+    bool find() {
+        return findSpace() && findShape() && resolveAll() && declare() && findDefaults();
+    }
     const std::vector<Expression>& components() const { return components_; }
 
   private:
@@ -626,6 +630,39 @@ class Meaning {
         return true;
     }
 
+    static bool isShape(const Term& term) {
+        return term.kind == TermKind::call && term.index == static_cast<int>(Function::shape);
+    }
+    // Takes a shape(…) off its formula; its parameters are the first ones.
+    bool findShape() {
+        for (Statement& statement : parser_.statements) {
+            auto& terms = statement.expression.terms;
+            for (const Term& term : terms) {
+                if (!isShape(term)) continue;
+                if (isReal())
+                    return fail(term.position,
+                                "shape(…) stands around a formula of z or q, such as "
+                                "shape(z^2 + c): real formulas have no direction");
+                if (&term != &terms.back())
+                    return fail(term.position,
+                                "shape(…) stands around the whole formula, once: the modulus is "
+                                "that of the shape, and nothing else changes it");
+                if (!shape_) return fail(term.position, "there is no shape here");
+                formula_.shape = true;
+            }
+            if (formula_.shape) terms.pop_back();
+        }
+        if (!formula_.shape) return true;
+        const bool complex = formula_.space == FormulaSpace::complex;
+        for (const FormulaParameter& own : complex ? shape_->complex : shape_->quaternion) {
+            formula_.parameters.push_back(own);
+            positions_.push_back(0);
+            exponent_.push_back(false);
+        }
+        own_ = formula_.parameters.size();
+        return true;
+    }
+
     bool isReal() const {
         return formula_.space == FormulaSpace::line || formula_.space == FormulaSpace::plane;
     }
@@ -651,6 +688,7 @@ class Meaning {
     // Names become variables, constants, and numbers of parameters.
     bool resolve(Expression& expression, bool constantsOnly) {
         for (Term& term : expression.terms) {
+            if (isShape(term)) return fail(term.position, "a default is made of numbers alone");
             if (term.kind != TermKind::name) continue;
             const std::string& name = parser_.names[at(term.index)];
             if (name == "pi" || name == "e") {
@@ -673,6 +711,10 @@ class Meaning {
                     formula_.parameters.begin(), formula_.parameters.end(),
                     [&](const FormulaParameter& parameter) { return parameter.name == name; });
                 term.index = static_cast<int>(known - formula_.parameters.begin());
+                if (at(term.index) < own_)
+                    return fail(term.position, "\"" + name +
+                                                   "\" is a number of shape(…) itself: give "
+                                                   "yours another name");
                 if (known == formula_.parameters.end()) {
                     formula_.parameters.push_back({.name = name});
                     positions_.push_back(term.position);
@@ -701,7 +743,7 @@ class Meaning {
         const FormulaKind own = isReal()                                  ? FormulaKind::real
                                 : formula_.space == FormulaSpace::complex ? FormulaKind::complex
                                                                           : FormulaKind::quaternion;
-        for (std::size_t k = 0; k < formula_.parameters.size(); ++k)
+        for (std::size_t k = own_; k < formula_.parameters.size(); ++k)
             formula_.parameters[k].kind = exponent_[k] ? FormulaKind::real : own;
         std::set<std::string> seen;
         for (Declaration& declaration : parser_.declarations) {
@@ -716,6 +758,13 @@ class Meaning {
             if (!seen.insert(declaration.name).second)
                 return fail(declaration.position, "\"" + declaration.name + "\" is declared twice");
             const FormulaKind kind = declaration.kind.value_or(known->kind);
+            if (kind != known->kind && at(int(known - formula_.parameters.begin())) < own_)
+                return fail(declaration.position,
+                            "\"" + declaration.name + "\" is " +
+                                (known->kind == FormulaKind::real    ? "a real number"
+                                 : known->kind == FormulaKind::whole ? "a whole number"
+                                                                     : "a point") +
+                                " of shape(…)");
             const bool fits = kind == FormulaKind::real || kind == FormulaKind::whole ||
                               kind == own ||
                               (kind == FormulaKind::complex && own == FormulaKind::quaternion);
@@ -735,7 +784,7 @@ class Meaning {
         return true;
     }
     bool findDefaults() {
-        for (std::size_t k = 0; k < formula_.parameters.size(); ++k)
+        for (std::size_t k = own_; k < formula_.parameters.size(); ++k)
             standard(formula_.parameters[k], exponent_[k]);
         for (Declaration& declaration : parser_.declarations) {
             FormulaParameter& parameter = *std::find_if(
@@ -771,6 +820,8 @@ class Meaning {
 
     Parser& parser_;
     Formula& formula_;
+    const FormulaShape* shape_;
+    std::size_t own_ = 0;  // parameters of shape(…)
     std::vector<Expression> components_;
     std::vector<std::size_t> positions_;
     std::vector<bool> exponent_;
@@ -915,7 +966,8 @@ std::string declarationsOf(const formulas::Parser& parser, const Formula& formul
 
 }  // namespace
 
-Expected<Formula> parseFormula(std::string_view text, FormulaFault* fault) {
+Expected<Formula> parseFormula(std::string_view text, FormulaFault* fault,
+                               const FormulaShape* shape) {
     Formula formula;
     formulas::Parser parser(text);
     FormulaFault found;
@@ -925,11 +977,12 @@ Expected<Formula> parseFormula(std::string_view text, FormulaFault* fault) {
                              found.message);
     };
     if (!parser.parse()) return found = parser.fault, refused();
-    formulas::Meaning meaning(parser, formula);
+    formulas::Meaning meaning(parser, formula, shape);
     if (!meaning.find()) return found = meaning.fault, refused();
     if (!formulas::recordFormula(meaning.components(), formula, found)) return refused();
     const auto& parts = meaning.components();
     formula.body = formulas::printExpression(parts[0], parser, formula);
+    if (formula.shape) formula.body = "shape(" + formula.body + ")";
     if (parts.size() == 2)
         formula.body = "x' = " + formula.body +
                        ", y' = " + formulas::printExpression(parts[1], parser, formula);

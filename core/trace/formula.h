@@ -27,6 +27,10 @@
 // inverse functions and fractional powers of a real number are complex. A whole exponent up to ±256
 // that is written out is done by repeated squaring, as built-in maps do; a real exponent is a power
 // on the principal branch (math/power.h), a complex one e^(w log z).
+//
+// shape(p) around a whole formula of z or q is the shape modulus with the direction of p
+// (maps/shape_modulus.h): p is taken at z - shift, and the parameters of the shape modulus (alpha,
+// beta, as_printed, shift, and drop of quaternions) come before those of p.
 
 #include <array>
 #include <optional>
@@ -71,6 +75,8 @@ struct Formula {
     std::string body;  // the same without the declarations
     std::vector<FormulaParameter> parameters;
     Tape tape;  // parameters component by component
+    // Whether it is shape(p). The tape is then that of p, with all parameters.
+    bool shape = false;
 
     // How fast it grows at infinity, |f(z)| ~ |z|^growth: the degree of a polynomial, else 0.
     int growth = 0;
@@ -85,8 +91,15 @@ struct Formula {
     bool unicritical = false;
 };
 
+// The parameters that shape(…) brings along. Maps know them: FormulaMap::make hands them over.
+struct FormulaShape {
+    std::vector<FormulaParameter> complex, quaternion;
+};
+
 // ErrorKind::usage with the character (counted from 1) in the message; `fault` says it for a caret.
-Expected<Formula> parseFormula(std::string_view text, FormulaFault* fault = nullptr);
+// Without `shape` there is no shape(…).
+Expected<Formula> parseFormula(std::string_view text, FormulaFault* fault = nullptr,
+                               const FormulaShape* shape = nullptr);
 
 // The message on one line, then the text, then a ^ below the character.
 std::string withCaret(std::string_view text, const FormulaFault& fault);

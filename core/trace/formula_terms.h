@@ -59,6 +59,7 @@ enum class Function {
     max,
     atan2,
     choose,
+    shape,  // only around a whole formula, of which the parser takes it off
 };
 
 struct FunctionInfo {

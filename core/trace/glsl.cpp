@@ -83,6 +83,10 @@ std::string expression(const Node& n) {
                    ", " + name(n.d) + "), " + name(n.e) + ")." + kParts[n.index];
         case Op::distance:
             return "fieldAt(vec3(" + name(n.a) + ", " + name(n.b) + ", " + name(n.c) + "))";
+        // Shaders are made for what is the same everywhere (gpu/gpu_orbits.cpp).
+        case Op::alphaAt:
+        case Op::betaAt:
+            return name(n.d);
         default:
             return "";
     }

@@ -10,8 +10,9 @@
 
 namespace versorium {
 
-// Environment: `int listSize(int list)`, `R listItem(int list, int item, int component)` and
-// `R distance(R x, R y, R z)`, which give what is bound to the map.
+// Environment: `int listSize(int list)`, `R listItem(int list, int item, int component)`,
+// `R distance(R x, R y, R z)` and `R alphaAt(R x, R y, R z, R base)`, `betaAt`, which give what is
+// bound to the map.
 template <class R, class Environment>
 void interpret(const Tape& tape, const R* state, const R* parameters,
                const Environment& environment, R* outputs) {
@@ -122,6 +123,12 @@ void interpret(const Tape& tape, const R* state, const R* parameters,
             }
             case Op::distance:
                 at(i) = environment.distance(at(n.a), at(n.b), at(n.c));
+                break;
+            case Op::alphaAt:
+                at(i) = environment.alphaAt(at(n.a), at(n.b), at(n.c), at(n.d));
+                break;
+            case Op::betaAt:
+                at(i) = environment.betaAt(at(n.a), at(n.b), at(n.c), at(n.d));
                 break;
             case Op::loopVariable:
                 // Later rounds keep the value that loopEnd gave.

@@ -13,15 +13,11 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-struct NoEnvironment {
-    int listSize(int) const { return 0; }
-    double listItem(int, int, int) const { return 0; }
-    double distance(double, double, double) const { return 0; }
-};
-
 // ---- simplifying -------------------------------------------------------------------------------
 
 bool isInput(Op op) { return op == Op::constant || op == Op::state || op == Op::parameter; }
+// What these give is not known before something is bound.
+bool looksUp(Op op) { return op == Op::distance || op == Op::alphaAt || op == Op::betaAt; }
 
 // The value of an operation on constants.
 double valueOf(Node node, const std::vector<std::optional<double>>& known) {
@@ -34,7 +30,7 @@ double valueOf(Node node, const std::vector<std::optional<double>>& known) {
     tape.nodes.push_back(node);
     tape.outputs = {static_cast<int>(tape.nodes.size()) - 1};
     double value = 0;
-    interpret(tape, &value, &value, NoEnvironment{}, &value);
+    interpret(tape, &value, &value, NothingBound{}, &value);
     return value;
 }
 
@@ -111,8 +107,14 @@ Code codeOf(Op op) {
             return Code::complexPower;
         case Op::quaternionPower:
             return Code::quaternionPower;
+        case Op::distance:
+            return Code::distance;
+        case Op::alphaAt:
+            return Code::alphaAt;
+        case Op::betaAt:
+            return Code::betaAt;
         default:
-            assert(false && "lists and fields are not for programs");
+            assert(false && "lists are not for programs");
             return Code::move;
     }
 }
@@ -279,6 +281,7 @@ Tape simplified(const Tape& tape) {
                 *operand = same[at(*operand)];
                 constant = constant && known[at(*operand)];
             }
+        if (looksUp(n.op)) constant = false;
         if (n.op == Op::constant) known[i] = n.constant;
         if (isInput(n.op)) continue;
         if (n.op == Op::select && known[at(n.a)]) {

@@ -51,6 +51,10 @@ enum class Code : std::uint8_t {
     sumAdd,            // (a + b) + c
     productsAdd,       // a b + c d
     productsSubtract,  // a b - c d
+    // Looks into what is bound, at (a, b, c).
+    distance,
+    alphaAt,  // from the base d
+    betaAt,
 };
 
 struct Instruction {
@@ -74,7 +78,7 @@ inline constexpr int kMostRegisters = 128;
 class TapeProgram {
   public:
     TapeProgram() = default;
-    // A tape without lists and distance fields. ErrorKind::usage where it needs too many registers.
+    // A tape without lists. ErrorKind::usage where it needs too many registers.
     static Expected<TapeProgram> make(const Tape& tape);
 
     TapeCode code() const;
@@ -91,9 +95,10 @@ Tape simplified(const Tape& tape);
 
 inline namespace VERSORIUM_TARGET {
 
-// Runs a program once on registers of W numbers each.
-template <int W, class R>
-void execute(const TapeCode& tape, R (*file)[W]) {
+// Runs a program once on registers of W numbers each. `bound` gives what it looks into, as that of
+// trace/interpret.h does.
+template <int W, class R, class Bound = NothingBound>
+void execute(const TapeCode& tape, R (*file)[W], const Bound& bound = {}) {
     // Those of single numbers stand outside of the instruction set's namespace.
     using versorium::select, versorium::sqrt, versorium::abs, versorium::min, versorium::max,
         versorium::floor, versorium::exp, versorium::log, versorium::sin, versorium::cos,
@@ -220,20 +225,29 @@ void execute(const TapeCode& tape, R (*file)[W]) {
             case Code::productsSubtract:
                 each([&](int w) { return a[w] * b[w] - c[w] * d[w]; });
                 break;
+            case Code::distance:
+                each([&](int w) { return bound.distance(a[w], b[w], c[w]); });
+                break;
+            case Code::alphaAt:
+                each([&](int w) { return bound.alphaAt(a[w], b[w], c[w], d[w]); });
+                break;
+            case Code::betaAt:
+                each([&](int w) { return bound.betaAt(a[w], b[w], c[w], d[w]); });
+                break;
         }
     }
 }
 
 // One step on single numbers, in place.
-template <class R>
-void runOnce(const TapeCode& tape, R* state, const R* parameters) {
+template <class R, class Bound = NothingBound>
+void runOnce(const TapeCode& tape, R* state, const R* parameters, const Bound& bound = {}) {
     R file[kMostRegisters][1];
     int next = 0;
     for (int k = 0; k < tape.stateSize; ++k) file[next++][0] = state[k];
     for (int k = 0; k < tape.parameterSize; ++k) file[next++][0] = parameters[k];
     for (int k = 0; k < tape.constantCount; ++k)
         file[next++][0] = R(static_cast<ScalarOf<R>>(tape.constants[k]));
-    execute<1>(tape, file);
+    execute<1>(tape, file, bound);
     for (int k = 0; k < tape.stateSize; ++k) state[k] = file[k][0];
 }
 

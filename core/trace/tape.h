@@ -44,6 +44,8 @@ enum class Op : std::uint8_t {
     complexPower,     // component `index` of (a + bi)^e
     quaternionPower,  // component `index` of (a + bi + cj + dk)^e
     distance,         // the bound distance field at (a, b, c)
+    alphaAt,          // what α of a shape modulus is there, d being its base (shape/modulation.h)
+    betaAt,           // the same of β
     loopBegin,        // over list `index`
     loopVariable,     // starts as a; loopEnd gives it its next value
     listItem,         // component `index` of the current root: 0 … 3, and 4 for its power
@@ -80,6 +82,24 @@ struct Tape {
     // Nodes before this one must not be reused: they stand in a loop that is closed.
     std::vector<int> reusable_;
     std::vector<std::size_t> scopes_;
+};
+
+// What a tape without lists and fields is run in.
+struct NothingBound {
+    int listSize(int) const { return 0; }
+    double listItem(int, int, int) const { return 0; }
+    template <class R>
+    R distance(const R&, const R&, const R&) const {
+        return R(0.0);
+    }
+    template <class R>
+    R alphaAt(const R&, const R&, const R&, const R& base) const {
+        return base;
+    }
+    template <class R>
+    R betaAt(const R&, const R&, const R&, const R& base) const {
+        return base;
+    }
 };
 
 // One line per node, for people and for tests.

@@ -12,6 +12,7 @@
 #include "ui/keys.h"
 #include "ui/open_file.h"
 #include "ui/planar_change.h"
+#include "ui/root_marks.h"
 #include "ui/shape_change.h"
 
 namespace versorium {
@@ -161,6 +162,24 @@ std::vector<Command> commandsOf(StudioContext& context) {
          }},
         {"Critical curve det J = 0, or none", "C",
          [c] { c->workspace.study.criticalCurve = !c->workspace.study.criticalCurve, c->touch(); }},
+        {"Roots and poles in the views, or none", "V",
+         [c] { c->workspace.showRoots = !c->workspace.showRoots, c->touch(); }},
+        {"Add a root of the versor at the orbit's point", "", [c] { addRootAtPoint(*c); }},
+        {"Take the chosen root away", "Delete", [c] { removeChosenRoot(*c); }},
+        {"Versor d from the product over its roots", "",
+         [c] { takeRootSum(c->workspace, false), c->touch(); }},
+        {"Versor d from the sum over its roots", "",
+         [c] { takeRootSum(c->workspace, true), c->touch(); }},
+        {"Candidates for the versor d: a sheet to pick from", "S",
+         [c] { openContactSheet(*c, c->versor.draw.seed); }},
+        {"Roots at random: the next seed", "Shift S",
+         [c] { drawRoots(*c, c->versor.draw.seed == 2147483647 ? 0 : c->versor.draw.seed + 1); }},
+        {"Drop a circle around 0, through the pointer or the orbit's point", "O",
+         [c] { dropCircle(*c); }},
+        {"Take the circles away", "",
+         [c] { c->workspace.circles.clear(), c->circles.chosen = -1, c->touch(); }},
+        {"Basins: where capture or escape is certain, or none", "B",
+         [c] { c->workspace.basins = !c->workspace.basins, c->touch(); }},
         {"The same pictures as a complex map", "", [c] { showAsComplexMap(*c); }},
         {"The same pictures as a planar system", "", [c] { showAsPlanarSystem(*c); }},
         {"Draw the outline of a shape", "D", [c] { chooseTool(*c, Drawing::Tool::outline); }},
@@ -242,7 +261,17 @@ void handleKeys(StudioContext& context) {
     if (pressed(ImGuiKey_Backspace, false))
         run(shifted(ImGuiKey_Backspace) ? "Shift Backspace" : "Backspace");
     if (pressed(ImGuiKey_A, false)) run("A");
+    if (pressed(ImGuiKey_B, false)) run("B");
     if (pressed(ImGuiKey_C, false)) run("C");
+    if (pressed(ImGuiKey_O, false)) run("O");
+    if (pressed(ImGuiKey_V, false)) run("V");
+    // Stops of a palette are taken away by the same key, with the pointer over them.
+    if (pressed(ImGuiKey_Delete, false) && context.probe.view >= 0) {
+        if (context.circles.chosen >= 0)
+            removeCircle(context, context.circles.chosen);
+        else if (isRoot(context.workspace, context.versor.chosen))
+            removeChosenRoot(context);
+    }
     if (pressed(ImGuiKey_F, false)) run(shifted(ImGuiKey_F) ? "Shift F" : "F");
     if (pressed(ImGuiKey_G, false)) run("G");
     if (pressed(ImGuiKey_M, false)) run("M");
@@ -250,6 +279,7 @@ void handleKeys(StudioContext& context) {
     if (pressed(ImGuiKey_P, false)) run("P");
     if (pressed(ImGuiKey_R, false)) run(shifted(ImGuiKey_R) ? "Shift R" : "R");
     if (pressed(ImGuiKey_K, false)) run("K");
+    if (pressed(ImGuiKey_S, false)) run(shifted(ImGuiKey_S) ? "Shift S" : "S");
     if (pressed(ImGuiKey_T, false)) run("T");
     if (pressed(ImGuiKey_Space, false)) run(shifted(ImGuiKey_Space) ? "Shift Space" : "Space");
     if (pressed(ImGuiKey_Period, false, true)) run(".");
@@ -380,6 +410,8 @@ void drawKeys(StudioContext& context) {
             row("Ctrl click", "Put the point here");
             row("Shift click", "Pin these parameters");
             row("Alt drag", "The second start; p* beside the critical curve");
+            row("double click", "Go in; where roots are shown: add a root");
+            row("wheel on a root", "Its power, by 1 or with Shift by 0.1");
             ImGui::EndTable();
         }
         if (ImGui::IsKeyPressed(ImGuiKey_Escape)) context.keysOpen = false;
@@ -392,6 +424,7 @@ void drawKeys(StudioContext& context) {
 void drawDialogs(StudioContext& context) {
     drawSearch(context);
     drawGallery(context);
+    drawContactSheet(context);
     drawOpenFile(context);
     drawKeys(context);
     drawExport(context);

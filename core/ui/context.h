@@ -13,6 +13,8 @@
 #include "fields/evaluate.h"
 #include "render/bind.h"
 #include "render/viewport.h"
+#include "ui/circles.h"
+#include "ui/contact_sheet.h"
 #include "ui/drawing.h"
 #include "ui/export_document.h"
 #include "ui/formulas.h"
@@ -23,6 +25,7 @@
 #include "ui/space_view.h"
 #include "ui/studies.h"
 #include "ui/theme.h"
+#include "ui/versor.h"
 #include "ui/workspace.h"
 
 namespace versorium {
@@ -43,7 +46,18 @@ struct ViewState {
     Visits visits;
     std::optional<Glide> glide;  // on its way; the workspace holds where it is now
     ImVec2 low{}, high{};        // its rectangle in the window
-    enum class Drag { none, pan, marker, box, pinch, start, compared } drag = Drag::none;
+    enum class Drag {
+        none,
+        pan,
+        marker,
+        box,
+        pinch,
+        start,
+        compared,
+        root,
+        circle,  // its radius
+        centre   // of a circle
+    } drag = Drag::none;
     ImVec2 dragFrom{};
     double pinchedAt = -100;  // when two fingers moved it last
 };
@@ -106,6 +120,9 @@ struct StudioContext {
     Drawing drawing;
     SpaceView space;
     ShapeText shapeText, alphaShapeText, betaShapeText;
+    VersorState versor;
+    CircleStudies circles;
+    ContactSheet sheet;
     enum class Strip { series, web, diagram, profile, motion } strip = Strip::series;
     int paletteStop = -1;  // the chosen stop of an own palette
     int orbitShown = 0;    // the step that the table has been scrolled to
@@ -153,7 +170,9 @@ struct StudioContext {
     // What was done is a step of the history now.
     void record();
     // A dialog stands over the views and takes the keys.
-    bool dialogOpen() const { return searchOpen || exportOpen || galleryOpen || fileOpen; }
+    bool dialogOpen() const {
+        return searchOpen || exportOpen || galleryOpen || fileOpen || sheet.open;
+    }
     void say(std::string text);
     void report(const Status& status);
     void undo();

@@ -10,6 +10,7 @@
 #include "render/renderer.h"
 #include "ui/control_list.h"
 #include "ui/ensemble_change.h"
+#include "ui/roots_panel.h"
 
 namespace versorium {
 namespace {
@@ -430,6 +431,7 @@ std::vector<ControlEntry> entriesOf(StudioContext& context) {
     collectMap(context, all);
     collectParameters(context, all);
     collectShape(context, all);
+    collectVersor(context, all);
     collectOrbit(context, all);
     collectSlice(context, all);
     collectStudies(context, all);
@@ -511,6 +513,7 @@ std::string describeView(StudioContext& context, int view) {
     if (!average.empty()) text += " " + average;
     if (context.strip == StudioContext::Strip::profile && !parameters)
         text += " " + describeProfile(context);
+    if (!parameters) text += describeCircles(context);
     return text;
 }
 

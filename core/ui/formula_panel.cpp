@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "imgui_internal.h"
+#include "maps/formula_shape.h"
 #include "ui/context.h"
 #include "ui/formulas.h"
 #include "ui/help.h"
@@ -130,7 +131,7 @@ void drawFormulaPanel(StudioContext& context) {
     if (editor.text != before) {
         editor.fault = {};
         FormulaFault fault;
-        if (!parseFormula(editor.text, &fault)) editor.fault = fault;
+        if (!parseFormula(editor.text, &fault, &formulaShape())) editor.fault = fault;
     }
     if (enter || left) {
         FormulaFault fault;

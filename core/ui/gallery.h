@@ -43,6 +43,8 @@ class Gallery {
     // Null while there is none.
     ImTextureID picture(const Entry& entry);
     void contextLost();
+    // Somebody else asks for small pictures now: what was asked for does not come.
+    void letGo() { asked_.clear(); }
 
   private:
     struct Picture {

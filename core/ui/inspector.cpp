@@ -9,6 +9,7 @@
 #include "ui/help.h"
 #include "ui/number_field.h"
 #include "ui/panel_parts.h"
+#include "ui/roots_panel.h"
 
 namespace versorium {
 namespace {
@@ -343,6 +344,15 @@ void drawInspector(StudioContext& context) {
     drawPlanarPanel(context);
     drawShapePanel(context);
     drawSpaceView(context);
+
+    if (hasRoots(workspace)) {
+        heading("Versor d: roots and poles");
+        drawVersorPanel(context);
+    }
+    if (takesCircles(workspace)) {
+        heading("Basins and circles");
+        drawCircleControls(context);
+    }
 
     if (showsParameters(workspace.view())) {
         heading("Start of the orbits in the marked view");

@@ -24,7 +24,9 @@ double coordinateOf(const Scene& scene, std::size_t axis, double value) {
     return (value - (origin == scene.slice.origin.end() ? 0 : origin->second)) / weight;
 }
 
-void drawArrow(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 colour, float scale) {
+}  // namespace
+
+void drawArrow(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 colour, ImU32 halo, float scale) {
     const float x = to.x - from.x, y = to.y - from.y;
     const float length = std::hypot(x, y);
     if (length < 3 * scale) return;
@@ -33,13 +35,11 @@ void drawArrow(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 colour, float sca
     const ImVec2 neck{to.x - along.x, to.y - along.y};
     const ImVec2 left{neck.x - 0.45f * along.y, neck.y + 0.45f * along.x};
     const ImVec2 right{neck.x + 0.45f * along.y, neck.y - 0.45f * along.x};
-    list.AddLine(from, neck, kHalo, 3.6f * scale);
-    list.AddTriangle(to, left, right, kHalo, 2.4f * scale);
+    list.AddLine(from, neck, halo, 3.6f * scale);
+    list.AddTriangle(to, left, right, halo, 2.4f * scale);
     list.AddLine(from, neck, colour, 1.5f * scale);
     list.AddTriangleFilled(to, left, right, colour);
 }
-
-}  // namespace
 
 ImU32 stepColour(int n, int steps, int alpha) {
     // Yellow, vermilion, violet: apart for colour-blind eyes by their lightness as well.
@@ -143,7 +143,7 @@ void drawArrows(StudioContext& context, int view, const ViewPlane& plane, ImDraw
                   last              ? IM_COL32(255, 222, 110, 255)
                   : after <= before ? inwards
                                     : outwards,
-                  context.scale);
+                  kHalo, context.scale);
     }
 }
 

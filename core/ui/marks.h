@@ -9,6 +9,7 @@ namespace versorium {
 
 // The colour of the n-th of `steps` points of an orbit.
 ImU32 stepColour(int n, int steps, int alpha = 255);
+void drawArrow(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 colour, ImU32 halo, float scale);
 void drawOrbit(StudioContext& context, int view, const ViewPlane& plane, ImDrawList& list);
 void drawArrows(StudioContext& context, int view, const ViewPlane& plane, ImDrawList& list);
 // What becomes of the point under the pointer; into context.probe.

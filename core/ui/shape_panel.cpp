@@ -9,6 +9,7 @@
 #include "ui/context.h"
 #include "ui/help.h"
 #include "ui/number_field.h"
+#include "ui/panel_parts.h"
 #include "ui/shape_change.h"
 
 namespace versorium {
@@ -189,9 +190,7 @@ void modulationControls(StudioContext& context, bool alpha) {
 }  // namespace
 
 void drawShapePanel(StudioContext& context) {
-    ImGui::Spacing();
-    ImGui::TextDisabled("Shape");
-    ImGui::Separator();
+    heading("Shape");
     if (!mapOf(context.workspace.view()).info.field) {
         toolButton(context, "Draw a shape", "draw shape", Drawing::Tool::outline);
         return;

@@ -9,6 +9,7 @@
 #include "ui/context.h"
 #include "ui/help.h"
 #include "ui/number_field.h"
+#include "ui/panel_parts.h"
 #include "ui/texture.h"
 
 namespace versorium {
@@ -223,9 +224,7 @@ void putPlane(StudioContext& context, const PlaneInSpace& plane) {
 void drawSpaceView(StudioContext& context) {
     const std::optional<PlaneInSpace> plane = markedPlane(context);
     if (!plane) return;
-    ImGui::Spacing();
-    ImGui::TextDisabled("Slice in space");
-    ImGui::Separator();
+    heading("Slice in space");
     SpaceView& view = context.space;
     const float wide = std::min(ImGui::GetContentRegionAvail().x, 420 * context.scale);
     const float tall = std::floor(wide * kTall);

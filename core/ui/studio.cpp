@@ -51,7 +51,7 @@ void Studio::State::takeAnswers() {
             context.views[static_cast<std::size_t>(answer->view)].picture.take(std::move(*answer));
         else if (answer->view == kGridSlot)
             context.takeGrid(*answer);
-        else if (answer->view == kThumbnails)
+        else if (answer->view == kThumbnails && !takeCandidate(context, *answer))
             context.gallery.take(std::move(*answer));
     takeExport(context);
 }
@@ -384,6 +384,7 @@ void Studio::contextLost() {
     state_->context.gpu.forget();
     for (ViewState& view : state_->context.views) view.picture.contextLost();
     state_->context.gallery.contextLost();
+    state_->context.sheet.contextLost();
     state_->context.studies.contextLost();
     state_->context.drawing.contextLost();
     state_->context.space.contextLost();

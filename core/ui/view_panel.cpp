@@ -2,12 +2,14 @@
 // A view: the picture, what lies on it, and the hand that moves it. Drag pans; the ring is dragged;
 // the wheel zooms at the pointer; a box drawn with the right button is zoomed to; a double click
 // goes in; Ctrl and a click set the point; Shift and a click pin the parameters; Alt and a drag set
-// the second start, or p* beside the critical curve.
+// the second start, or p* beside the critical curve. Where roots are shown, the wheel over a root
+// raises its power, and a double click makes one.
 #include <algorithm>
 #include <cmath>
 
 #include "ui/context.h"
 #include "ui/marks.h"
+#include "ui/root_marks.h"
 #include "ui/study_marks.h"
 #include "ui/view_plane.h"
 
@@ -75,7 +77,11 @@ void handlePointer(StudioContext& context, int view, const ViewPlane& plane, boo
     const ImVec2 mouse = io.MousePos;
     const auto marker = markerOf(workspace, static_cast<std::size_t>(view));
     const ImVec2 ring = plane.at(marker[0], marker[1]);
-    if (hovered && io.MouseWheel != 0)
+    // Some systems turn the wheel sideways while Shift is down.
+    const float wheel = io.MouseWheel != 0 ? io.MouseWheel : io.KeyShift ? io.MouseWheelH : 0;
+    if (hovered && wheel != 0 && raiseRoot(context, view, plane, mouse, wheel, io.KeyShift)) {
+        // It is the root's.
+    } else if (hovered && io.MouseWheel != 0)
         context.zoom(view, std::pow(kWheel, static_cast<double>(io.MouseWheel)), plane.u(mouse.x),
                      plane.v(mouse.y));
     if (handleDrawing(context, view, plane, hovered, active)) {
@@ -92,7 +98,8 @@ void handlePointer(StudioContext& context, int view, const ViewPlane& plane, boo
         context.animation.running = context.animation.running && !left;
         state.dragFrom = mouse;
         if (right) {
-            state.drag = ViewState::Drag::box;
+            state.drag = openRootMenu(context, view, plane, mouse) ? ViewState::Drag::none
+                                                                   : ViewState::Drag::box;
         } else if (io.KeyShift) {
             if (workspace.pins.size() == kMostPins) workspace.pins.erase(workspace.pins.begin());
             workspace.pins.push_back(workspace.views[workspace.speaker()].parameters);
@@ -102,7 +109,9 @@ void handlePointer(StudioContext& context, int view, const ViewPlane& plane, boo
                        plane.v(mouse.y));
             context.touch();
             state.drag = ViewState::Drag::marker;
-        } else if (takeStudyMark(context, view, plane, mouse, io.KeyAlt)) {
+        } else if ((!io.KeyAlt && (takeRootMark(context, view, plane, mouse) ||
+                                   takeCircle(context, view, plane, mouse))) ||
+                   takeStudyMark(context, view, plane, mouse, io.KeyAlt)) {
             // It follows the pointer.
         } else {
             const bool caught = places ? place > 0 : near(mouse, ring, kReach * context.scale);
@@ -110,7 +119,8 @@ void handlePointer(StudioContext& context, int view, const ViewPlane& plane, boo
             if (!caught) context.visit(view);
         }
     }
-    if (hovered && ImGui::IsMouseDoubleClicked(0) && !near(mouse, ring, kReach * context.scale)) {
+    if (hovered && ImGui::IsMouseDoubleClicked(0) && !near(mouse, ring, kReach * context.scale) &&
+        !addRootAt(context, view, plane, mouse)) {
         context.visit(view);
         context.zoom(view, 0.5, plane.u(mouse.x), plane.v(mouse.y), true);
     }
@@ -135,6 +145,8 @@ void handlePointer(StudioContext& context, int view, const ViewPlane& plane, boo
     }
     if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0) return;
     dragStudyMark(context, view, plane, mouse);
+    dragRootMark(context, view, plane, mouse);
+    dragCircle(context, view, plane, mouse);
     if (state.drag == ViewState::Drag::marker) {
         moveMarker(workspace, static_cast<std::size_t>(view), plane.u(mouse.x), plane.v(mouse.y));
         context.touch();
@@ -193,6 +205,7 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
     state.picture.draw(list, low, high);
     list.PushClipRect(low, high, true);
     if (!showsParameters(scene)) {
+        drawCircles(context, view, plane, list);
         if (workspace.arrows) drawArrows(context, view, plane, list);
         if (!workspace.analysis() || view == static_cast<int>(workspace.speaker()))
             drawOrbit(context, view, plane, list);
@@ -207,6 +220,7 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
     }
     drawStudyMarks(context, view, plane, list);
     drawDrawing(context, view, plane, list);
+    drawRootMarks(context, view, plane, list);
     const auto marker = markerOf(workspace, static_cast<std::size_t>(view));
     if (workspace.analysis()) drawPlaces(context, view, plane, list);
     if (!workspace.analysis() || view > 0)
@@ -239,6 +253,7 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
         probe(context, view, plane, ImGui::GetIO().MousePos);
     else if (!hovered && context.probe.view == view)
         context.probe.text.clear(), context.probe.view = -1;
+    drawRootMenu(context);
     ImGui::PopID();
 }
 

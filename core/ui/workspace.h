@@ -26,6 +26,7 @@ inline constexpr std::size_t kMostRanges = 256;
 inline constexpr int kMostShownPeriod = 12;
 // The one parameter that is each view's own: two views show S eq 2 as it is meant and as printed.
 inline constexpr const char* kAsPrinted = "as_printed";
+inline constexpr std::size_t kMostCircles = 8;
 // What a view shows from bottom to top: as deep as double precision goes, and as far.
 inline constexpr double kLeastHeight = 1e-13, kMostHeight = 1e6;
 
@@ -56,6 +57,16 @@ struct Workspace {
         bool criticalCurve = false;
         friend bool operator==(const Study&, const Study&) = default;
     } study;
+    bool showRoots = true;  // marks of roots and poles, on planes of starting points
+    // Circles that were dropped there (S Fig 3): each lies in the plane through its centre that is
+    // parallel to the view's. At most kMostCircles.
+    struct Circle {
+        std::array<double, 4> centre{};
+        double radius = 0.5;  // above 0
+        friend bool operator==(const Circle&, const Circle&) = default;
+    };
+    std::vector<Circle> circles;
+    bool basins = false;  // where capture, or escape, is certain
     // The bifurcation diagram: empty for a number of the program's own choice.
     struct Diagram {
         std::string number;

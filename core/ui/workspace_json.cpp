@@ -43,6 +43,20 @@ Json shortScene(const Scene& scene) {
     return again && sceneToJson(*again) == whole ? brief : whole;
 }
 
+void readCircles(const Json& circles, ObjectReader& owner, Workspace& workspace) {
+    if (!circles.is_array() || circles.size() > kMostCircles)
+        return owner.fail("circles", "must be a list of at most 8 circles");
+    for (std::size_t k = 0; k < circles.size(); ++k) {
+        ObjectReader reader(circles[k], "circles[" + std::to_string(k) + "]");
+        std::vector<double> centre(4, 0.0);
+        Workspace::Circle circle;
+        reader.numbers("center", centre, 4, 4).number("radius", circle.radius, 1e-15, 1e6);
+        owner.fail(reader.finish());
+        if (centre.size() == 4) std::copy(centre.begin(), centre.end(), circle.centre.begin());
+        workspace.circles.push_back(circle);
+    }
+}
+
 Status checkWelded(const Workspace& workspace) {
     const auto shared = [](const Scene& scene) {
         Json json = sceneToJson(scene);
@@ -92,6 +106,10 @@ Json workspaceToJson(const Workspace& workspace) {
                          {"most_period", study.mostPeriod},
                          {"manifolds", study.manifolds},
                          {"critical_curve", study.criticalCurve}};
+    if (!workspace.showRoots) json["show_roots"] = false;
+    if (workspace.basins) json["basins"] = true;
+    for (const Workspace::Circle& circle : workspace.circles)
+        json["circles"].push_back({{"center", circle.centre}, {"radius", circle.radius}});
     // A formula that is typed may have taken the number away.
     if (numberNamed(workspace.views[0], workspace.diagram.number))
         json["diagram"] = {{"number", workspace.diagram.number},
@@ -162,6 +180,8 @@ Expected<Workspace> workspaceFromJson(const Json& json) {
             .boolean("critical_curve", workspace.study.criticalCurve);
         if (Status status = one.finish(); !status.ok()) return status;
     }
+    reader.boolean("show_roots", workspace.showRoots).boolean("basins", workspace.basins);
+    if (const Json* circles = reader.child("circles")) readCircles(*circles, reader, workspace);
     if (const Json* diagram = reader.child("diagram")) {
         ObjectReader one(*diagram, "diagram");
         std::vector<double> range;

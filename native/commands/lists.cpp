@@ -174,6 +174,7 @@ void addListCommands(CommandLine& line) {
         "Constants pi, e, i, and j, k of quaternions. Functions: exp log sqrt sin cos tan sinh "
         "cosh\n"
         "tanh asin acos atan asinh acosh atanh abs norm arg re im conj floor min max atan2 if.\n"
+        "shape(p) around a whole formula of z or q is the shape modulus with the direction of p.\n"
         "render, eval, orbit and glsl take a formula wherever they take the name of a map.\n");
     const auto text = std::make_shared<std::string>();
     formula->add_option("FORMULA", *text, "the formula; quote it")->required();

@@ -8,7 +8,7 @@ namespace {
 
 bool looksLikeFile(const std::string& what) {
     if (what == "-" || what.ends_with(".json") || what.ends_with(".png")) return true;
-    return what.find('/') != std::string::npos && !parseFormula(what);
+    return what.find('/') != std::string::npos && !FormulaMap::make(what);
 }
 
 Expected<OpenedScene> open(const std::string& what) {

@@ -32,7 +32,8 @@ inline std::vector<const MapKernels*> testedMaps() {
           "if(abs(z) < 1 and z.re > -2, z^2, z/c) + c", "log(z + 3)*c - tanh(z)/2",
           "(z^2 + c - 1)^2/(2z + c - 2)^2", "x' = 1 - a*x^2 + y, y' = b*x; a = 1.4; b = 0.3",
           "y, x*sin(a*y) - x^3/3", "q^2 + c", "c*exp(q) - q*c/2 + 0.2i", "q^a + c",
-          "r*x*(1 - x); r = 3.7", "x' = r*max(x, 1 - x^n) - floor(x); n: whole = 3"})
+          "r*x*(1 - x); r = 3.7", "x' = r*max(x, 1 - x^n) - floor(x); n: whole = 3",
+          "shape(z^3 - a*z + c); beta = 0.05", "shape(c*q^2 + q)"})
         all.push_back(&typedMap(text));
     return all;
 }

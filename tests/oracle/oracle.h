@@ -135,6 +135,17 @@ inline Vector interleaved(const Vector& q, const Numbers& p, const Bound& bound)
     return all;
 }
 
+// S(q) = e^C (Σ (q - tᵢ)^(τTᵢ) + Σ (q - bᵢ)^(-βBᵢ)).
+inline Vector rootSum(const Vector& q, const Numbers& p, const Bound& bound) {
+    Vector all(q.size(), 0);
+    for (const Root& root : bound.lists[0])
+        all = plus(all, toPower(minusRoot(q, root), root.power * p.at("tau")));
+    for (const Root& root : bound.lists[1])
+        all = plus(all, toPower(minusRoot(q, root), -root.power * p.at("exponent_beta")));
+    for (Real& part : all) part *= std::exp(p.at("log_scale"));
+    return all;
+}
+
 inline bool hasDirection(const Vector& v) {
     const Real size = length(v);
     return size > 0 && size <= std::numeric_limits<Real>::max();
@@ -206,10 +217,12 @@ inline const std::map<std::string, Step>& steps() {
         };
         all["complex-rational"] = all["quaternion-rational"] = rational;
         all["quaternion-interleaved"] = interleaved;
+        all["complex-root-sum"] = all["quaternion-root-sum"] = rootSum;
         all["shape-modulus"] = shapeModulus(rational);
         for (const char* inner :
              {"complex-rational", "quadratic", "power", "cubic", "newton", "quaternion-quadratic",
-              "quaternion-cubic", "quaternion-interleaved"})
+              "quaternion-cubic", "quaternion-interleaved", "complex-root-sum",
+              "quaternion-root-sum"})
             all[std::string("shape-modulus-") + inner] = shapeModulus(all[inner]);
         return all;
     }();

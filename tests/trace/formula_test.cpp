@@ -17,12 +17,6 @@ namespace {
 
 using Long = std::complex<long double>;
 
-struct Nothing {
-    int listSize(int) const { return 0; }
-    double listItem(int, int, int) const { return 0; }
-    double distance(double, double, double) const { return 0; }
-};
-
 Formula read(const std::string& text) {
     FormulaFault fault;
     Expected<Formula> formula = parseFormula(text, &fault);
@@ -34,7 +28,7 @@ Formula read(const std::string& text) {
 std::vector<double> stepOf(const Formula& formula, std::vector<double> state,
                            const std::vector<double>& parameters) {
     std::vector<double> out(state.size());
-    interpret(formula.tape, state.data(), parameters.data(), Nothing{}, out.data());
+    interpret(formula.tape, state.data(), parameters.data(), NothingBound{}, out.data());
     const Expected<TapeProgram> program = TapeProgram::make(formula.tape);
     EXPECT_TRUE(program.ok());
     runOnce(program->code(), state.data(), parameters.data());
