@@ -60,6 +60,7 @@ constexpr Help kHelp[] = {
      "from elsewhere; with Shift or the right button: tilt it."},
     {"slice offset", "How far the plane lies from the origin, along its normal."},
     {"straight slice", "A plane along two axes of space."},
+    {"section", "Opens or closes this part."},
     {"plate of", "The views as they are, or one of the program's own plates, such as a figure's."},
     {"product or sum",
      "d from the product of the powers of z - root, as the paper says, or from their sum, as the "

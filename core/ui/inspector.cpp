@@ -349,10 +349,9 @@ void drawInspector(StudioContext& context) {
         heading("Versor d: roots and poles");
         drawVersorPanel(context);
     }
-    if (takesCircles(workspace)) {
-        heading("Basins and circles");
+    const bool circled = workspace.basins || !workspace.circles.empty();
+    if (takesCircles(workspace) && section("Basins and circles", circled))
         drawCircleControls(context);
-    }
 
     if (showsParameters(workspace.view())) {
         heading("Start of the orbits in the marked view");
@@ -399,10 +398,10 @@ void drawInspector(StudioContext& context) {
     sliceControls(context);
     heading("Colours");
     colourControls(context);
-    heading("Average over random maps");
-    drawEnsemble(context);
-    heading("Images behind and in front");
-    drawLayers(context);
+    if (section("Average over random maps", workspace.view().ensemble.varies()))
+        drawEnsemble(context);
+    if (section("Images behind and in front", !workspace.view().layers.empty()))
+        drawLayers(context);
 }
 
 }  // namespace versorium

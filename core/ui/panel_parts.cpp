@@ -12,6 +12,18 @@ void heading(const char* text) {
     ImGui::Separator();
 }
 
+bool section(const char* text, bool inUse) {
+    ImGui::Spacing();
+    if (inUse) ImGui::SetNextItemOpen(true, ImGuiCond_Once);
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(ImGuiCol_TextDisabled));
+    const bool open = ImGui::TreeNodeEx(
+        text, ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
+    ImGui::PopStyleColor();
+    explain("section");
+    ImGui::Separator();
+    return open;
+}
+
 void labelled(const char* label) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(label);

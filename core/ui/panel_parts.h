@@ -9,6 +9,9 @@ namespace versorium {
 
 // The name of a section, with a line below it.
 void heading(const char* text);
+// A heading whose part is closed until it is opened by a click, or by being in use. True while the
+// part is to be drawn.
+bool section(const char* text, bool inUse);
 // A label on the left; what is drawn next takes the rest of the line.
 void labelled(const char* label);
 // A choice of words; true when another one was taken. `empty` stands for the empty word.

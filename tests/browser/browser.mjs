@@ -2,7 +2,7 @@
 // What all tests of the page share: the browser, waiting, and running them one by one.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
-import { existsSync } from "node:fs";
+import { existsSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
 import { deflateSync, inflateSync } from "node:zlib";
@@ -133,4 +133,14 @@ export async function runAll(tests, ...given) {
     }
   }
   return failed;
+}
+
+// Runs the tests on the page as this machine serves it, and ends the program; the folder goes.
+export async function runOnPage(tests, root, browser, folder) {
+  const { server, address } = await serve(root);
+  const failed = await runAll(tests, browser, address);
+  await browser.close();
+  server.kill();
+  rmSync(folder, { recursive: true });
+  process.exit(failed ? 1 : 0);
 }

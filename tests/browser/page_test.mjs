@@ -3,11 +3,11 @@
 // ROOT is the repository, PROGRAM the native one, whose exports must be the page's, byte for byte.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import {
-  changed, difference, finished, fragment, look, open, packed, patience, prepare, runAll, serve, unpacked, waitFor,
+  changed, difference, finished, fragment, look, open, packed, patience, prepare, runOnPage, unpacked, waitFor,
 } from "./browser.mjs";
 
 const [root, program, screenshots] = process.argv.slice(2);
@@ -210,9 +210,4 @@ const tests = {
   },
 };
 
-const { server, address } = await serve(root);
-const failed = await runAll(tests, browser, address);
-await browser.close();
-server.kill();
-rmSync(folder, { recursive: true });
-process.exit(failed ? 1 : 0);
+await runOnPage(tests, root, browser, folder);

@@ -3,11 +3,13 @@
 // [SCREENSHOTS]. PROGRAM is the native one, whose pictures must be the page's, byte for byte.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { filesOf } from "../../web/page/film.mjs";
-import { changed, finished, fragment, look, open, patience, prepare, runAll, serve, settled, unpacked, waitFor } from "./browser.mjs";
+import {
+  changed, finished, fragment, look, open, patience, prepare, runOnPage, settled, unpacked, waitFor,
+} from "./browser.mjs";
 
 const [root, program, screenshots] = process.argv.slice(2);
 const { browser } = await prepare(root);
@@ -187,9 +189,4 @@ const tests = {
   },
 };
 
-const { server, address } = await serve(root);
-const failed = await runAll(tests, browser, address);
-await browser.close();
-server.kill();
-rmSync(folder, { recursive: true });
-process.exit(failed ? 1 : 0);
+await runOnPage(tests, root, browser, folder);

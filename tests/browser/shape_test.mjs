@@ -3,10 +3,12 @@
 // shape_test.mjs ROOT PROGRAM [SCREENSHOTS]. PROGRAM is the native one, whose plates must be the page's.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { mkdtempSync, readFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { changed, finished, fragment, open, patience, prepare, runAll, serve, settled, unpacked, waitFor } from "./browser.mjs";
+import {
+  changed, finished, fragment, open, patience, prepare, runOnPage, settled, unpacked, waitFor,
+} from "./browser.mjs";
 
 const [root, program, screenshots] = process.argv.slice(2);
 const { browser } = await prepare(root);
@@ -133,9 +135,4 @@ const tests = {
   },
 };
 
-const { server, address } = await serve(root);
-const failed = await runAll(tests, browser, address);
-await browser.close();
-server.kill();
-rmSync(folder, { recursive: true });
-process.exit(failed ? 1 : 0);
+await runOnPage(tests, root, browser, folder);

@@ -65,7 +65,7 @@ double differing(const Raster<unsigned char>& one, const Raster<unsigned char>& 
 }
 
 TEST(GpuPicture, ColoursAreThoseOfTheProcessor) {
-    for (const char* rule : {"palette", "gradient", "versor", "phase"})
+    for (const char* rule : {"palette", "gradient", "versor", "phase", "domain"})
         for (int samples : {1, 2}) {
             Scene scene = mandelbrot();
             scene.slice.centreLow[0] += 1e-3;

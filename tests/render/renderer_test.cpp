@@ -30,6 +30,12 @@ std::vector<Scene> smallScenes() {
     Scene phase = scenes[2];
     phase.colour.rule = "phase";
     scenes.push_back(phase);
+    phase.colour.rule = "domain";
+    scenes.push_back(phase);
+    Scene drawn = sceneOf(*findMap("shape-modulus-complex-rational"));
+    drawn.shape.source = "polygon(-0.8, -0.7, 0.9, -0.6, 0.2, 0.8)";
+    drawn.alphaOverSpace.discs = {{0.2, 0.3, 0, 0.5, 2}, {-0.3, 0, 0, 0.2, 50}};
+    scenes.push_back(drawn);
     Scene mandelbrot = scenes[0];
     mandelbrot.slice.axes = {{{{"c.re", 1.0}}}, {{{"c.im", 1.0}}}};
     mandelbrot.criticalStart = 0;
