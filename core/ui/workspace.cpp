@@ -19,6 +19,8 @@ void shareWith(Scene& scene, const Scene& like) {
     scene.parameters = like.parameters;
     scene.lists = like.lists;
     scene.shape = like.shape;
+    scene.alphaOverSpace = like.alphaOverSpace;
+    scene.betaOverSpace = like.betaOverSpace;
     scene.assets = like.assets;
 }
 

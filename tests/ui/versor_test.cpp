@@ -136,7 +136,8 @@ TEST(RootMarks, TheWheelRaisesPowersAndZoomsElsewhere) {
     ImGui::GetIO().AddKeyEvent(ImGuiMod_Shift, false);
     EXPECT_EQ(studio.roots()[1].power, 2.9);
     EXPECT_EQ(studio.scene().slice.height, height);
-    studio.move({5, 5});
+    studio.move({40, 40});
+    studio.frames(3);
     studio.wheel(1);
     EXPECT_LT(studio.scene().slice.height, height);
 }
@@ -276,6 +277,7 @@ TEST(ContactSheet, AsksForItsPicturesOneByOneAndIsPickedByKeys) {
     HeadlessGui gui;
     StudioContext context(host);
     context.newMap("shape-modulus-complex-rational");
+    context.record();
     openContactSheet(context, 10);
     ASSERT_TRUE(context.sheet.open);
     ASSERT_EQ(context.sheet.candidates.size(), 6u);
@@ -291,7 +293,9 @@ TEST(ContactSheet, AsksForItsPicturesOneByOneAndIsPickedByKeys) {
     EXPECT_EQ(host.pictures[0].view, kThumbnails);
     const Expected<Json> asked = parseJson(host.pictures[0].scene);
     ASSERT_TRUE(asked.ok());
-    EXPECT_EQ(sceneFromJson(*asked)->lists.at("roots"), context.sheet.candidates[0].roots);
+    const Expected<Scene> scene = sceneFromJson(*asked);
+    ASSERT_TRUE(scene.ok()) << scene.status().message();
+    EXPECT_EQ(scene->lists.at("roots"), context.sheet.candidates[0].roots);
     // An answer that is none of the sheet's goes to the gallery.
     PictureAnswer answer{kThumbnails, 1, {1, 1}, {}, "no picture"};
     EXPECT_FALSE(takeCandidate(context, answer));
