@@ -316,6 +316,28 @@ TEST(ContactSheet, AsksForItsPicturesOneByOneAndIsPickedByKeys) {
     EXPECT_EQ(context.workspace.views[0].lists.at("roots").roots.size(), 4u);
 }
 
+// A formula that is typed takes the place of d; the shape and its numbers stay.
+TEST(Versor, OfATypedFormulaKeepsTheShape) {
+    SilentHost host;
+    StudioContext context(host);
+    context.newMap("shape-modulus-quadratic");
+    for (Scene& scene : context.workspace.views) scene.shape.source = "star(5, 0.5, 0.2)";
+    setSharedNumber(context.workspace, "alpha", 12);
+    context.touch();
+    ASSERT_TRUE(applyFormula(context, "shape(z^3 + c)").ok());
+    const Scene& scene = context.workspace.views[1];
+    EXPECT_EQ(scene.shape.source, "star(5, 0.5, 0.2)");
+    EXPECT_EQ(scene.parameters.at("alpha")[0], 12);
+    EXPECT_EQ(scene.iterations, 3);
+    EXPECT_TRUE(context.orbitProgram());
+    const Expected<Workspace> again = workspaceFromLink(*workspaceToLink(context.workspace));
+    ASSERT_TRUE(again.ok()) << again.status().message();
+    EXPECT_EQ(again->views[1].shape, scene.shape);
+    // Without a shape it is another kind of picture, with steps of its own.
+    ASSERT_TRUE(applyFormula(context, "z^3 + c").ok());
+    EXPECT_EQ(context.workspace.views[1].iterations, 200);
+}
+
 TEST(Versor, IsInTheListOfControls) {
     SilentHost host;
     StudioContext context(host);
