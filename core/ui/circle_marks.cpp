@@ -18,8 +18,9 @@ using Point = StatePlane::Point;
 constexpr ImU32 kHalo = IM_COL32(8, 10, 14, 220), kLight = IM_COL32(255, 255, 255, 200);
 constexpr ImU32 kWhite = IM_COL32(255, 255, 255, 255), kBlack = IM_COL32(0, 0, 0, 255);
 constexpr ImU32 kCyan = IM_COL32(60, 225, 255, 255);
+constexpr ImU32 kImage = IM_COL32(255, 222, 110, 220), kImageHalo = IM_COL32(8, 10, 14, 140);
 constexpr float kLineReach = 7, kCentreReach = 11, kSnap = 7;
-constexpr int kArrows = 24;
+constexpr int kArrows = 16;
 constexpr int kBasinPoints = 96;
 
 ImU32 colourOf(CircleFate fate) {
@@ -81,6 +82,19 @@ void dashed(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 colour, f
         list.AddLine(points[k], points[k + 1], colour, width);
 }
 
+// Words below a ring, within the view.
+void below(ImDrawList& list, const std::vector<ImVec2>& ring, const ViewPlane& plane, float scale,
+           const std::string& words) {
+    const ImVec2 low = *std::max_element(
+        ring.begin(), ring.end(), [](const ImVec2& a, const ImVec2& b) { return a.y < b.y; });
+    const float wide = ImGui::CalcTextSize(words.c_str()).x;
+    const float left = plane.low.x + 4, right = std::max(left, plane.high.x - wide - 6);
+    drawText(list,
+             {std::clamp(low.x - 0.5f * wide, left, right),
+              std::clamp(low.y + 4 * scale, plane.low.y + 28 * scale, plane.high.y - 24 * scale)},
+             kWhite, words);
+}
+
 void drawBasins(StudioContext& context, const Places& places, const ViewPlane& plane,
                 ImDrawList& list) {
     const Basins basins = studyBasins(context);
@@ -90,8 +104,7 @@ void drawBasins(StudioContext& context, const Places& places, const ViewPlane& p
                                  IM_COL32(255, 255, 255, 60));
         closedLine(list, inner, kHalo, 3.2f * scale);
         closedLine(list, inner, kWhite, 1.2f * scale);
-        drawText(list, {inner[0].x + 5 * scale, inner[0].y - 8 * scale}, kWhite,
-                 "kept: |x| ≤ " + formatNumber(basins.capture, 3));
+        below(list, inner, plane, scale, "kept: |x| ≤ " + formatNumber(basins.capture, 3));
     }
     const double radius = context.orbitProgram() ? context.orbitProgram()->escapeRadius : 0;
     if (!(basins.escape < radius)) return;
@@ -118,8 +131,7 @@ void drawBasins(StudioContext& context, const Places& places, const ViewPlane& p
     list.Flags = before;
     closedLine(list, outer, kLight, 3.2f * scale);
     closedLine(list, outer, kBlack, 1.2f * scale);
-    drawText(list, {outer[0].x + 5 * scale, outer[0].y - 8 * scale}, kWhite,
-             "leaves: |x| > " + formatNumber(basins.escape, 3));
+    below(list, outer, plane, scale, "leaves: |x| > " + formatNumber(basins.escape, 3));
 }
 
 void drawOne(StudioContext& context, const Workspace::Circle& circle, const CircleStudy& study,
@@ -136,8 +148,8 @@ void drawOne(StudioContext& context, const Workspace::Circle& circle, const Circ
         image.push_back(places.shows(at) ? places(at) : ImVec2{});
     }
     if (whole && !image.empty()) {
-        closedLine(list, image, kHalo, 3.0f * scale);
-        closedLine(list, image, IM_COL32(255, 222, 110, 255), 1.3f * scale);
+        closedLine(list, image, kImageHalo, 2.6f * scale);
+        closedLine(list, image, kImage, 1.2f * scale);
     }
     const auto ring = places.circle(circle.centre, circle.radius, CircleStudy::kPoints);
     closedLine(list, ring, halo, (chosen ? 6.5f : 5.0f) * scale);

@@ -30,8 +30,7 @@ double normOf(const Point& x) {
 std::string basinKey(const Scene& scene) {
     const Json json = sceneToJson(scene);
     std::string key;
-    for (const char* part :
-         {"map", "parameters", "shape", "alpha_over_space", "beta_over_space", "escape_radius"})
+    for (const char* part : {"map", "parameters", "shape", "modulation", "escape_radius"})
         key += json.value(part, Json()).dump();
     return key;
 }

@@ -33,7 +33,7 @@ enum class CircleFate { captured, escapes, decided };
 
 struct CircleStudy {
     using Point = StatePlane::Point;
-    static constexpr int kPoints = 192;
+    static constexpr int kPoints = 576;
 
     CircleFate fate = CircleFate::captured;
     bool certain = false;         // by the basins: for every point, not for those that were tried

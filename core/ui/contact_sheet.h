@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/roots.h"
+#include "scene/scene.h"
 #include "ui/host.h"
 
 namespace versorium {

@@ -24,6 +24,12 @@ void keepWhatFits(Scene& scene, const Scene& old) {
         if (before != old.parameters.end() && before->second.size() == value.size())
             value = before->second;
     }
+    if (mapOf(scene).info.field && mapOf(old).info.field) {
+        scene.shape = old.shape;
+        scene.alphaOverSpace = old.alphaOverSpace;
+        scene.betaOverSpace = old.betaOverSpace;
+        scene.assets = old.assets;
+    }
     scene.colour = old.colour;
     scene.samples = old.samples;
     scene.iterations = old.iterations;
@@ -94,9 +100,8 @@ Status applyFormula(StudioContext& context, const std::string& text) {
     if (first.formula == *map) return {};
     const Scene home = sceneOf((*map)->kernels());
     const Scene before = first;
-    const bool sameSpace =
-        before.formula && mapOf(before).info.algebra == (*map)->kernels().info.algebra;
-    bool fits = sameSpace;
+    const MapInfo &now = (*map)->kernels().info, &old = mapOf(before).info;
+    bool fits = before.formula && old.algebra == now.algebra && old.field == now.field;
     for (const Scene& view : context.workspace.views) fits = fits && axesFit(home, view.slice);
     if (fits) {
         // The same places, looked at with another formula.

@@ -66,7 +66,9 @@ ImU32 faded(ImU32 colour, double part) {
 void drawOne(ImDrawList& list, const Mark& mark, float size, double part) {
     const ImVec2 at = mark.at;
     const bool pole = mark.exponent < 0;
-    const ImU32 halo = faded(kHalo, part), tint = faded(pole ? kPole : kZero, part);
+    // The line stays brighter than its halo does.
+    const ImU32 halo = faded(kHalo, part * part),
+                tint = faded(pole ? kPole : kZero, std::sqrt(part));
     for (const auto& [colour, width] :
          {std::pair{halo, 0.8f * size}, std::pair{tint, 0.35f * size}})
         if (pole) {

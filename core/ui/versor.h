@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "geometry/random_roots.h"
+#include "scene/ensemble.h"
 #include "ui/workspace.h"
 
 namespace versorium {

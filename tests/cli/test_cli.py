@@ -312,6 +312,25 @@ class Results(CommandLine):
         table = self.good("eval", "z^2 - 1", "--points", points, "--field", "image_modulus")
         self.assertEqual(float(table.split()[1].split(b",")[2]), 2)
 
+    def test_a_formula_gives_the_direction_of_a_shape_modulus(self):
+        points = self.write("p.csv", "x,y\n0.1,0.2\n-0.3,0.05\n0.6,-0.4\n")
+        numbers = ("--points", points, "--set", "shape=star(5, 0.5, 0.25)", "--set", "alpha=6",
+                   "--set", "c=0.2,0.1", "--set", "shift=0.05,0")
+        fields = ("--field", "log_modulus", "--field", "image_modulus", "--field", "versor")
+        tables = [self.good("eval", *scene, *numbers, *fields)
+                  for scene in (("shape(z^2 + c)",), ("--map", "shape-modulus-quadratic"))]
+        for typed, own in zip(*(table.split() for table in tables)):
+            for a, b in zip(typed.split(b","), own.split(b",")):
+                self.assertTrue(a == b or abs(float(a) - float(b)) < 1e-12 * (1 + abs(float(b))),
+                                tables)
+        # The picture carries the formula and its shape.
+        self.good("render", "shape(z/2 + c)", "-o", self.path("a.png"), "--size", "24x24",
+                  "--set", "shape=disc(0.4)")
+        body = json.loads(self.good("scene", self.path("a.png")))["body"]
+        self.assertEqual(body["formula"], "shape(z/2 + c)")
+        self.assertEqual(body["shape"]["source"], "disc(0.4)")
+        self.assertIn(b"fieldAt", self.good("glsl", "shape(q^2 + c)"))
+
     def test_a_formula_is_explained(self):
         report = json.loads(self.good("formula", "z^3-3z+ c ; c=0.1i", "--json"))
         self.assertEqual(report["text"], "z^3 - 3*z + c; c = 0 + 0.1*i")
@@ -494,6 +513,11 @@ class BadInput(CommandLine):
             self.assertEqual(lines[1], "    z^2 + * c")
             self.assertEqual(lines[2], "          ^")
             self.assertEqual(os.listdir(self.folder), [])
+        result = self.run_program("formula", "c + shape(z^2)")
+        self.assertEqual(result.returncode, USAGE)
+        lines = result.stderr.decode().splitlines()
+        self.assertIn("whole formula", lines[0])
+        self.assertEqual(lines[2], "        ^")
         self.refused(USAGE, "render", *self.out(), says="--map")
         self.refused(USAGE, "render", "--map", "nonsense", *self.out(), says="z^2 + c")
         scene = self.write("s.json", '{"map": "formula", "formula": "z^2 + foo(c)"}')

@@ -54,12 +54,6 @@ TEST(EveryShape, DualsGiveTheGradient) {
     }
 }
 
-struct NothingBound {
-    int listSize(int) const { return 0; }
-    double listItem(int, int, int) const { return 0; }
-    double distance(double, double, double) const { return 0; }
-};
-
 TEST(EveryShape, TapeEqualsScalar) {
     for (const std::string& text : texts()) {
         const ShapeTree shape = *parseShape(text);

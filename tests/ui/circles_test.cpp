@@ -25,7 +25,7 @@ StudioContext& discStudio(StudioContext& context) {
         scene.lists.at("roots").roots = {{{0, 0, 0, 0}, 1}};
     }
     setSharedNumber(context.workspace, "alpha", 3);
-    setSharedNumber(context.workspace, "beta", -0.1);
+    setSharedNumber(context.workspace, "beta", 0.3);
     context.touch();
     return context;
 }
@@ -34,17 +34,17 @@ TEST(Circles, FollowTheRadialMapWhereTheDirectionIsTheIdentity) {
     SilentHost host;
     StudioContext context(host);
     discStudio(context);
-    // r -> e^{3 (r - 0.5 + 0.1)}: its larger fixed point parts what stays from what leaves.
+    // r -> e^{3 (r - 0.5 - 0.3)}: its larger fixed point, 0.66, parts what stays from what leaves.
     for (const double radius : {0.05, 0.2, 0.35, 0.5, 0.8, 1.5, 3.0}) {
         context.workspace.circles = {{{}, radius}};
         context.touch();
         double r = radius;
-        for (int n = 0; n < 40 && r <= 20; ++n) r = std::exp(3 * (r - 0.4));
+        for (int n = 0; n < 40 && r <= 20; ++n) r = std::exp(3 * (r - 0.8));
         const auto& all = studyCircles(context, 1);
         ASSERT_EQ(all.size(), 1u);
         EXPECT_EQ(all[0].fate, r <= 20 ? CircleFate::captured : CircleFate::escapes) << radius;
         EXPECT_TRUE(all[0].oneModulus) << radius;
-        EXPECT_NEAR(all[0].most, std::exp(3 * (radius - 0.4)), 1e-12 * all[0].most);
+        EXPECT_NEAR(all[0].most, std::exp(3 * (radius - 0.8)), 1e-12 * all[0].most);
     }
 }
 
@@ -53,13 +53,16 @@ TEST(Circles, WhatIsCertainHoldsForEveryVersor) {
     SilentHost host;
     StudioContext context(host);
     discStudio(context);
-    for (Scene& scene : context.workspace.views) scene.shape.source = "star(5, 0.6, 0.3)";
-    setSharedNumber(context.workspace, "alpha", 6);
+    for (Scene& scene : context.workspace.views) {
+        scene.shape.source = "star(5, 1.4, 0.7)";
+        scene.iterations = 12;
+    }
+    setSharedNumber(context.workspace, "alpha", 4);
     setSharedNumber(context.workspace, "beta", 0);
     int certain = 0, decided = 0;
     for (int seed = 1; seed <= 8; ++seed) {
         drawRoots(context, seed);
-        for (const double radius : {0.1, 0.3, 0.5, 0.9, 2.0, 5.0}) {
+        for (const double radius : {0.1, 0.3, 0.5, 0.8, 1.0, 1.2, 2.0, 5.0}) {
             context.workspace.circles = {{{}, radius}};
             context.touch();
             const CircleStudy study = studyCircles(context, 1)[0];

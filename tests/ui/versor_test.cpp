@@ -136,7 +136,8 @@ TEST(RootMarks, TheWheelRaisesPowersAndZoomsElsewhere) {
     ImGui::GetIO().AddKeyEvent(ImGuiMod_Shift, false);
     EXPECT_EQ(studio.roots()[1].power, 2.9);
     EXPECT_EQ(studio.scene().slice.height, height);
-    studio.move({5, 5});
+    studio.move({40, 40});
+    studio.frames(3);
     studio.wheel(1);
     EXPECT_LT(studio.scene().slice.height, height);
 }
@@ -276,6 +277,7 @@ TEST(ContactSheet, AsksForItsPicturesOneByOneAndIsPickedByKeys) {
     HeadlessGui gui;
     StudioContext context(host);
     context.newMap("shape-modulus-complex-rational");
+    context.record();
     openContactSheet(context, 10);
     ASSERT_TRUE(context.sheet.open);
     ASSERT_EQ(context.sheet.candidates.size(), 6u);
@@ -291,7 +293,9 @@ TEST(ContactSheet, AsksForItsPicturesOneByOneAndIsPickedByKeys) {
     EXPECT_EQ(host.pictures[0].view, kThumbnails);
     const Expected<Json> asked = parseJson(host.pictures[0].scene);
     ASSERT_TRUE(asked.ok());
-    EXPECT_EQ(sceneFromJson(*asked)->lists.at("roots"), context.sheet.candidates[0].roots);
+    const Expected<Scene> scene = sceneFromJson(*asked);
+    ASSERT_TRUE(scene.ok()) << scene.status().message();
+    EXPECT_EQ(scene->lists.at("roots"), context.sheet.candidates[0].roots);
     // An answer that is none of the sheet's goes to the gallery.
     PictureAnswer answer{kThumbnails, 1, {1, 1}, {}, "no picture"};
     EXPECT_FALSE(takeCandidate(context, answer));
@@ -310,6 +314,28 @@ TEST(ContactSheet, AsksForItsPicturesOneByOneAndIsPickedByKeys) {
     context.record();
     context.undo();
     EXPECT_EQ(context.workspace.views[0].lists.at("roots").roots.size(), 4u);
+}
+
+// A formula that is typed takes the place of d; the shape and its numbers stay.
+TEST(Versor, OfATypedFormulaKeepsTheShape) {
+    SilentHost host;
+    StudioContext context(host);
+    context.newMap("shape-modulus-quadratic");
+    for (Scene& scene : context.workspace.views) scene.shape.source = "star(5, 0.5, 0.2)";
+    setSharedNumber(context.workspace, "alpha", 12);
+    context.touch();
+    ASSERT_TRUE(applyFormula(context, "shape(z^3 + c)").ok());
+    const Scene& scene = context.workspace.views[1];
+    EXPECT_EQ(scene.shape.source, "star(5, 0.5, 0.2)");
+    EXPECT_EQ(scene.parameters.at("alpha")[0], 12);
+    EXPECT_EQ(scene.iterations, 3);
+    EXPECT_TRUE(context.orbitProgram());
+    const Expected<Workspace> again = workspaceFromLink(*workspaceToLink(context.workspace));
+    ASSERT_TRUE(again.ok()) << again.status().message();
+    EXPECT_EQ(again->views[1].shape, scene.shape);
+    // Without a shape it is another kind of picture, with steps of its own.
+    ASSERT_TRUE(applyFormula(context, "z^3 + c").ok());
+    EXPECT_EQ(context.workspace.views[1].iterations, 200);
 }
 
 TEST(Versor, IsInTheListOfControls) {

@@ -364,6 +364,39 @@ class Window(unittest.TestCase):
         self.assertEqual(scene["map"], "shape-modulus")
         self.assertTrue(scene["shape"]["source"].startswith("asset:"))
 
+    def test_roots_follow_the_hand_and_a_sheet_is_picked_from(self):
+        start = os.path.join(self.folder, "start.json")
+        with open(start, "w") as file:
+            json.dump({"document": 1, "kind": "scene", "body": {
+                "versorium": 1, "map": "shape-modulus-complex-rational",
+                "shape": {"source": "star(5, 0.5, 0.25)"},
+                "lists": {"roots": {"roots": [{"q": [0, 0, 0, 0], "power": 1},
+                                              {"q": [0.3, 0.2, 0, 0], "power": 1}]}},
+                "slice": {"axes": [{"z.re": 1}, {"z.im": 1}], "center": [0, 0],
+                          "height": 1.2}}}, file)
+        self.studio(start)
+        # The right view is 461 pixels wide, and its shorter side shows 1.2.
+        pixel = 1.2 / 461
+        across, down = 705 + round(0.3 / pixel), 305 - round(0.2 / pixel)
+        self.hand("mousemove", across, down)
+        time.sleep(1)
+        for words in (("mousedown", 1), ("mousemove", across, down + 30),
+                      ("mousemove", across, down + 60), ("mouseup", 1), ("click", 4)):
+            self.hand(*words)
+            time.sleep(0.4)
+        self.hand("mousemove", 235, 700)
+        time.sleep(0.5)
+        root = self.saved()["lists"]["roots"]["roots"][1]
+        self.assertAlmostEqual(root["q"][0], 0.3, delta=4 * pixel)
+        self.assertAlmostEqual(root["q"][1], 0.2 - 60 * pixel, delta=4 * pixel)
+        self.assertEqual(root["power"], 2)
+        # The third candidate of the sheet.
+        self.tap("d")
+        time.sleep(3)
+        self.tap("Right", "Right", "Return")
+        time.sleep(1)
+        self.assertEqual(len(self.saved()["lists"]["roots"]["roots"]), 10)
+
 
 if __name__ == "__main__":
     PROGRAM = os.path.abspath(sys.argv.pop(1))
