@@ -12,6 +12,7 @@
 #include "render/root_region.h"
 #include "render/shape_profile.h"
 #include "scene/numbers.h"
+#include "scene/shape_name.h"
 #include "shape/image_distance.h"
 #include "shape/mesh_distance.h"
 #include "shape/outline.h"
@@ -90,7 +91,7 @@ std::vector<Scene> shapesOf(const Scene& scene) {
 
 bool isGridded(const Scene& scene) {
     return isOutline(scene.shape.source) || scene.shape.source.starts_with(kAsset) ||
-           !embedded(meshFile(scene)).empty();
+           isBuiltInMesh(scene.shape.source);
 }
 
 std::size_t numberIndex(const Scene& scene, const NumberRef& ref, OrbitProgram& program) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/scene.h"
+#include "scene/shape_name.h"
 
 namespace versorium {
 namespace {
@@ -75,6 +76,10 @@ Status checkModulation(const Scene& scene) {
     if (!mapOf(scene).info.field)
         return Status::data("modulation: the map \"" + scene.map +
                             "\" has no shape, so no alpha and beta over space");
+    for (const auto& [name, spec] :
+         {std::pair{"alpha", &scene.alphaOverSpace}, std::pair{"beta", &scene.betaOverSpace}})
+        if (Status status = checkShapeText(spec->shape); !spec->shape.empty() && !status.ok())
+            return status.in(std::string("modulation.") + name + ".shape");
     return {};
 }
 

@@ -65,7 +65,7 @@ Expected<std::vector<glm::dvec2>> parseOutline(std::string_view text) {
         return Status::data("polygon(x1, y1, x2, y2, …): " + what);
     };
     if (text.size() > kText) return fault("the text is too long");
-    const std::size_t open = text.find('('), close = text.rfind(')');
+    const std::size_t open = text.find('('), close = text.find(')');
     if (open == std::string_view::npos || close == std::string_view::npos || close < open)
         return fault("a bracket is missing");
     if (text.find_first_not_of(" \t\r\n", close + 1) != std::string_view::npos)

@@ -66,7 +66,13 @@ void setPlane(Scene& scene, const PlaneInSpace& plane) {
         for (const auto& [axis, weight] : {std::pair{0, plane.right[k]}, {1, plane.up[k]}})
             if (std::abs(weight) > kNothing)
                 slice.axes[static_cast<std::size_t>(axis)].terms.emplace_back(name, weight);
-        slice.origin[name] = plane.origin[k];
+        // A component that keeps its value need not be named.
+        const bool onAxis = std::abs(plane.right[k]) > kNothing || std::abs(plane.up[k]) > kNothing;
+        const auto component = static_cast<std::size_t>(components[static_cast<std::size_t>(k)]);
+        if (plane.origin[k] == (onAxis ? 0 : scene.start[component]))
+            slice.origin.erase(name);
+        else
+            slice.origin[name] = plane.origin[k];
     }
 }
 

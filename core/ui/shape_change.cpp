@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/embedded.h"
 #include "geometry/random_roots.h"
 #include "render/shape_profile.h"
+#include "scene/shape_name.h"
 #include "shape/bounds.h"
 #include "shape/outline.h"
 
@@ -16,17 +16,6 @@ namespace {
 // What a scene of a map without a shape turns into: in the plane, or in space for a mesh.
 constexpr const char* kPlanarPreset = "star";
 constexpr const char* kSpatialPreset = "shape-modulus";
-
-bool isMesh(const std::string& source) {
-    const std::vector<std::string> meshes = builtinMeshes();
-    return std::find(meshes.begin(), meshes.end(), source) != meshes.end();
-}
-
-Status checkSource(const std::string& source) {
-    if (isMesh(source)) return {};
-    if (isOutline(source)) return parseOutline(source).status();
-    return parseShape(source).status();
-}
 
 ShapeBounds boundsOfOutline(const std::vector<glm::dvec2>& corners) {
     ShapeBounds bounds;
@@ -43,7 +32,7 @@ ShapeBounds boundsOfOutline(const std::vector<glm::dvec2>& corners) {
 
 // Of a text that has been checked; a mesh fills the box around 0.
 ShapeBounds boundsOfSource(const std::string& source) {
-    if (isMesh(source)) return {};
+    if (isBuiltInMesh(source)) return {};
     if (isOutline(source)) return boundsOfOutline(*parseOutline(source));
     return boundsOf(DistanceField(*parseShape(source)), 2);
 }
@@ -72,15 +61,16 @@ void frame(Scene& scene, const ShapeBounds& bounds) {
 }
 
 Status change(StudioContext& context, const std::string& source, bool planar, bool framed) {
-    if (Status status = checkSource(source); !status.ok()) return status;
+    if (source.starts_with("asset:")) return Status::usage("a file is opened by its name");
+    if (Status status = checkShapeText(source); !status.ok()) return status;
     const MapInfo& info = mapOf(context.workspace.view()).info;
     const bool fits = info.field && (!planar || info.algebra == Algebra::complex);
     Workspace next = context.workspace;
     const ShapeBounds bounds = boundsOfSource(source);
     if (!fits) {
-        Expected<Scene> scene = presetNamed(isMesh(source) ? kSpatialPreset : kPlanarPreset);
+        Expected<Scene> scene = presetNamed(isBuiltInMesh(source) ? kSpatialPreset : kPlanarPreset);
         if (!scene) return scene.status();
-        if (!isMesh(source)) scene->lists["roots"] = rootsWithin(bounds);
+        if (!isBuiltInMesh(source)) scene->lists["roots"] = rootsWithin(bounds);
         next = workspaceOf(*scene);
         next.maximised = context.workspace.maximised;
     }
