@@ -166,9 +166,9 @@ std::vector<Command> commandsOf(StudioContext& context) {
          [c] { takeRootSum(c->workspace, false), c->touch(); }},
         {"Versor d from the sum over its roots", "",
          [c] { takeRootSum(c->workspace, true), c->touch(); }},
-        {"Candidates for the versor d: a sheet to pick from", "D",
+        {"Candidates for the versor d: a sheet to pick from", "S",
          [c] { openContactSheet(*c, c->versor.draw.seed); }},
-        {"Roots at random: the next seed", "Shift D",
+        {"Roots at random: the next seed", "Shift S",
          [c] { drawRoots(*c, c->versor.draw.seed == 2147483647 ? 0 : c->versor.draw.seed + 1); }},
         {"Drop a circle around 0, through the pointer or the orbit's point", "O",
          [c] { dropCircle(*c); }},
@@ -251,7 +251,6 @@ void handleKeys(StudioContext& context) {
     if (pressed(ImGuiKey_A, false)) run("A");
     if (pressed(ImGuiKey_B, false)) run("B");
     if (pressed(ImGuiKey_C, false)) run("C");
-    if (pressed(ImGuiKey_D, false)) run(shifted(ImGuiKey_D) ? "Shift D" : "D");
     if (pressed(ImGuiKey_O, false)) run("O");
     if (pressed(ImGuiKey_V, false)) run("V");
     // Stops of a palette are taken away by the same key, with the pointer over them.
@@ -267,6 +266,7 @@ void handleKeys(StudioContext& context) {
     if (pressed(ImGuiKey_P, false)) run("P");
     if (pressed(ImGuiKey_R, false)) run(shifted(ImGuiKey_R) ? "Shift R" : "R");
     if (pressed(ImGuiKey_K, false)) run("K");
+    if (pressed(ImGuiKey_S, false)) run(shifted(ImGuiKey_S) ? "Shift S" : "S");
     if (pressed(ImGuiKey_T, false)) run("T");
     if (pressed(ImGuiKey_Space, false)) run(shifted(ImGuiKey_Space) ? "Shift Space" : "Space");
     if (pressed(ImGuiKey_Period, false, true)) run(".");
