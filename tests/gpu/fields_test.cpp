@@ -134,6 +134,8 @@ TEST(GpuFields, TypedFormulas) {
         scene.iterations = 60;
         compare(scene, 99);
     }
+    for (const char* text : {"shape(z^3 - a*z + c); a = 0.6", "shape(c*q^2 + q)"})
+        compare(*sceneOfMap(text), 99);
     // The last step of a sine is an exponential, which no error of a start stands for: of an orbit
     // that has left, only when it left is compared.
     Scene sine = *sceneOfMap("c*sin(z); c = 1 + 0.2i");

@@ -391,7 +391,7 @@ class Window(unittest.TestCase):
         self.assertAlmostEqual(root["q"][1], 0.2 - 60 * pixel, delta=4 * pixel)
         self.assertEqual(root["power"], 2)
         # The third candidate of the sheet.
-        self.tap("d")
+        self.tap("s")
         time.sleep(3)
         self.tap("Right", "Right", "Return")
         time.sleep(1)
