@@ -135,7 +135,7 @@ struct ShapeModulus {
                                   .escapeRadius = 20,
                                   .homeHeight = 1.2,
                                   .source = "S eqs 2-3"};
-    static constexpr int kRegisters = 1;
+    static constexpr int kRegisters = 2;
     static constexpr bool kStepwise = true;
 
     template <class R>
