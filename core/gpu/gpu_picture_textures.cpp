@@ -151,6 +151,7 @@ void GpuPicture::uploadMembers(std::vector<float>& texels, std::size_t width) {
                 for (std::size_t k = 0; k < 4; ++k)
                     roots[4 * i + k] = static_cast<float>(list[i].q[k]);
                 powers[4 * i] = static_cast<float>(list[i].power);
+                if (member.map->dimension <= 2) roots[4 * i + 2] = powers[4 * i];
             }
             powers[1] = static_cast<float>(list.size());
         }

@@ -39,9 +39,14 @@ Factored<Z, R> timesPower(const Factored<Z, R>& before, const Z& factor, const R
             before.second + select(exponent == R(0.0), R(0.0), logarithm)};
 }
 
+// In line: a state that is returned through memory stalls the next product.
 template <class Z, class R>
-Z directionTimes(const Z& before, const Z& factor, const R& exponent) {
-    return before * power((R(1.0) / sqrt(squaredNorm(factor))) * factor, exponent);
+[[gnu::always_inline]] inline Z directionTimes(const Z& before, const Z& factor,
+                                               const R& exponent) {
+    const Z unitFactor = (R(1.0) / sqrt(squaredNorm(factor))) * factor;
+    // Asked here, since a call for nothing costs more than the product.
+    if (powers::isOne(exponent)) return before * unitFactor;
+    return before * power(unitFactor, exponent);
 }
 
 template <class Z, class R, class List>

@@ -162,7 +162,7 @@ struct ShapeModulus {
                                   .escapeRadius = shape_modulus::kEscapeRadius,
                                   .homeHeight = shape_modulus::kHomeHeight,
                                   .source = "S eqs 2-3"};
-    static constexpr int kRegisters = 1;
+    static constexpr int kRegisters = 2;
     static constexpr bool kStepwise = true;
 
     template <class R>

@@ -92,12 +92,20 @@ Quaternion<Dual<R>> alongExponent(Quaternion<Dual<R>> raised, const Quaternion<D
     return raised;
 }
 
+// Whether an exponent is known to be 1 in all lanes. One that has a slope, or is recorded, is not.
+template <class R>
+bool isOne(const R& exponent) {
+    if constexpr (PlainReal<R>)
+        return !any(exponent != R(1.0));
+    else
+        return false;
+}
+
 template <class Z, class R>
 Z anyPower(const Z& z, const R& exponent) {
+    if (isOne(exponent)) return z;
     const auto e = plainValue(exponent);
     using P = std::remove_cvref_t<decltype(e)>;
-    if constexpr (PlainReal<R>)
-        if (!any(e != P(1.0))) return z;
     const P size = abs(e);
     const auto whole = (floor(size) == size) & (size <= P(kLargestWholePower));
     const auto polar = !whole;

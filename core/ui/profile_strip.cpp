@@ -19,6 +19,9 @@ struct Fineness {
 constexpr Fineness kLevels[] = {{65, 256, 129, 128}, {129, 1024, 513, 256}, {257, 2048, 1025, 512}};
 constexpr int kLevelCount = 3;
 constexpr double kBudget = 0.03;  // seconds of a frame for a finer one
+// Where others keep the processor busy a finer one may come in time at the next attempt.
+constexpr double kAgain = 0.3;
+constexpr int kMostTries = 4;
 
 // On this thread; cancelled between two radii once its time is over.
 class FrameJob : public Job {
@@ -102,11 +105,15 @@ void drawCurve(ImDrawList& list, const Plot& plot, const RadialProfile& profile,
 }
 
 void drawBand(ImDrawList& list, const Plot& plot, const RadialProfile& profile, ImU32 colour) {
+    // Smooth edges would show between the pieces.
+    const ImDrawListFlags flags = list.Flags;
+    list.Flags &= ~ImDrawListFlags_AntiAliasedFill;
     for (std::size_t i = 1; i < profile.radius.size(); ++i)
         list.AddQuadFilled(plot(profile.radius[i - 1], profile.low[i - 1]),
                            plot(profile.radius[i], profile.low[i]),
                            plot(profile.radius[i], profile.high[i]),
                            plot(profile.radius[i - 1], profile.high[i - 1]), colour);
+    list.Flags = flags;
 }
 
 void drawGrid(ImDrawList& list, const Plot& plot) {
@@ -160,7 +167,7 @@ const ProfileStudy& studyProfile(StudioContext& context) {
         std::string key = keyOf(scene);
         if (key != study.key) {
             study.key = std::move(key);
-            study.level = 0;
+            study.level = study.tries = 0;
             study.ended = false;
             study.profile.reset();
         }
@@ -182,8 +189,10 @@ const ProfileStudy& studyProfile(StudioContext& context) {
     } else if (profile.status().kind() != ErrorKind::cancelled) {
         study.problem = profile.status().message();
     }
-    study.ended = !profile || study.level == kLevelCount;
-    if (!study.ended) context.host.wake();
+    const bool cancelled = !profile && profile.status().kind() == ErrorKind::cancelled;
+    study.ended = study.level == kLevelCount || (!profile && !cancelled) ||
+                  (cancelled && ++study.tries == kMostTries);
+    if (!study.ended) context.host.wakeAfter(cancelled ? kAgain : 0);
     return study;
 }
 
@@ -254,12 +263,13 @@ void drawProfile(StudioContext& context) {
         drawSure(list, plot, profile.capture, "stays within " + number(profile.capture), 0);
     if (profile.escape < to)
         drawSure(list, plot, profile.escape, "leaves beyond " + number(profile.escape), 1);
-    ImVec2 corner{low.x + 12, low.y + 6};
+    const float letter = ImGui::GetFontSize(), line = ImGui::GetTextLineHeight() + 2;
+    ImVec2 corner{high.x - 13 * letter, high.y - 4.4f * line};
     const std::pair<const char*, ImU32> keys[] = {
         {"mean φ, least to most", mean}, {"r̂ of the mean", modulus}, {"r̂ = r", diagonal}};
     for (const auto& [name, colour] : keys) {
         drawKey(list, corner, name, colour);
-        corner.y += ImGui::GetTextLineHeight() + 2;
+        corner.y += line;
     }
     if (hovered) {
         const float x = std::clamp(ImGui::GetIO().MousePos.x, plot.low.x, plot.high.x);
@@ -273,7 +283,7 @@ void drawProfile(StudioContext& context) {
         const float wide = ImGui::CalcTextSize(text.c_str()).x;
         drawText(list,
                  {std::clamp(x + 8, low.x + 6, std::max(low.x + 6, high.x - wide - 6)),
-                  high.y - 2.4f * ImGui::GetTextLineHeight()},
+                  low.y + 4 + 2 * ImGui::GetTextLineHeight()},
                  ImGui::GetColorU32(ImGuiCol_Text), text);
     }
     list.PopClipRect();

@@ -72,6 +72,7 @@ struct ProfileStudy {
     std::uint64_t revision = 0;
     std::string key;      // what it follows from
     int level = 0;        // how finely it is sampled next
+    int tries = 0;        // that took too long
     bool ended = false;   // no finer one is to come
     std::string problem;  // why there is none
     std::shared_ptr<const RadialProfile> profile;

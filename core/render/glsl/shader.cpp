@@ -124,11 +124,16 @@ int listSize(int list) {
     return list == uDrawnList ? memberSize : uListSize[list];
 }
 float listItem(int list, int item, int component) {
+    // What is drawn is never set otherwise. Of roots in the plane the power lies in the same texel.
+    if (list == uDrawnList) {
+        if (component < 4) return texelFetch(uRoots, ivec2(item, memberRow), 0)[component];
+        return D <= 2 ? texelFetch(uRoots, ivec2(item, memberRow), 0).z
+                      : texelFetch(uRoots, ivec2(item, memberRow + 1), 0).x;
+    }
     for (int k = 0; k < uOverrideCount; ++k)
         if (uOverride[k] == ivec3(list, item, component)) return overrideValue[k];
-    int row = list == uDrawnList ? memberRow : 2 * list;
-    if (component == 4) return texelFetch(uRoots, ivec2(item, row + 1), 0).x;
-    return texelFetch(uRoots, ivec2(item, row), 0)[component];
+    if (component == 4) return texelFetch(uRoots, ivec2(item, 2 * list + 1), 0).x;
+    return texelFetch(uRoots, ivec2(item, 2 * list), 0)[component];
 }
 )";
 

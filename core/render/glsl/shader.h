@@ -30,8 +30,9 @@ std::string iterationShader(const Tape& tape, const Tape* shape, double attracti
 // start to the end, and those whose set holds the pixel are counted.
 //   outFields  (members counted so far, 0, 0, 0)
 // uRoots has three rows more for each member: components and powers of the roots of the list that
-// is drawn (the second component of the first power says how many), and numbers that are drawn
-// (value, place among uNumbers), of which there are `drawn`.
+// is drawn (the second component of the first power says how many; the third one of a root in the
+// plane is its power again), and numbers that are drawn (value, place among uNumbers), of which
+// there are `drawn`.
 std::string countingShader(const Tape& tape, const Tape* shape, int drawn);
 
 }  // namespace versorium
