@@ -155,7 +155,7 @@ void drawOne(StudioContext& context, const Workspace::Circle& circle, const Circ
     closedLine(list, ring, halo, (chosen ? 6.5f : 5.0f) * scale);
     closedLine(list, ring, colour, (chosen ? 3.2f : 2.2f) * scale);
     for (int k = 0; k < kArrows && !study.to.empty(); ++k) {
-        const auto at = static_cast<std::size_t>(k * CircleStudy::kPoints / kArrows);
+        const std::size_t at = static_cast<std::size_t>(k) * study.to.size() / kArrows;
         const Point &from = study.from[at], &to = study.to[at];
         if (!places.shows(from) || !places.shows(to)) continue;
         drawArrow(list, places(from), places(to), study.member[at] ? kWhite : kBlack,

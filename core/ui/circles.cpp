@@ -17,7 +17,7 @@ namespace {
 using Point = StatePlane::Point;
 
 // Orbits of circles are followed no longer than this.
-constexpr int kMostCircleSteps = 2000;
+constexpr int kMostCircleSteps = 500;
 // Moduli that differ by less are one: some thousand roundings.
 constexpr double kSameModulus = 1e-12;
 
@@ -39,13 +39,14 @@ std::string basinKey(const Scene& scene) {
 
 CircleStudy studyCircle(const System& system, const Workspace::Circle& circle,
                         const StatePlane& plane, int step, int iterations, double escapeRadius,
-                        const Basins& basins) {
+                        const Basins& basins, int points) {
     CircleStudy study;
+    study.iterations = iterations;
     const auto [right, up] = plane.frame();
     study.least = study.low = std::numeric_limits<double>::infinity();
     int stay = 0;
-    for (int k = 0; k < CircleStudy::kPoints; ++k) {
-        const double angle = 2 * std::numbers::pi * k / CircleStudy::kPoints;
+    for (int k = 0; k < points; ++k) {
+        const double angle = 2 * std::numbers::pi * k / points;
         Point x = circle.centre;
         for (std::size_t c = 0; c < 4; ++c)
             x[c] += circle.radius * (std::cos(angle) * right[c] + std::sin(angle) * up[c]);
@@ -69,28 +70,29 @@ CircleStudy studyCircle(const System& system, const Workspace::Circle& circle,
         study.member.push_back(inside);
         stay += inside ? 1 : 0;
     }
-    study.stay = static_cast<double>(stay) / CircleStudy::kPoints;
-    study.fate = stay == CircleStudy::kPoints ? CircleFate::captured
-                 : stay == 0                  ? CircleFate::escapes
-                                              : CircleFate::decided;
+    study.stay = static_cast<double>(stay) / points;
+    study.fate = stay == points ? CircleFate::captured
+                 : stay == 0    ? CircleFate::escapes
+                                : CircleFate::decided;
     study.oneModulus = study.most - study.least <= kSameModulus * study.most;
     study.certain = study.high <= basins.capture || study.low > basins.escape;
     return study;
 }
 
-std::string sentenceOf(const CircleStudy& study, int iterations) {
-    const std::string steps = std::to_string(iterations) + (iterations == 1 ? " step" : " steps");
+std::string sentenceOf(const CircleStudy& study) {
+    const std::string steps =
+        std::to_string(study.iterations) + (study.iterations == 1 ? " step" : " steps");
+    const std::string points = std::to_string(study.from.size());
     switch (study.fate) {
         case CircleFate::captured:
-            return study.certain ? "captured for certain: it lies in the ball around 0 that keeps "
-                                   "every orbit, whatever d is"
-                                 : "captured: none of its " + std::to_string(CircleStudy::kPoints) +
-                                       " points escapes within " + steps;
+            return study.certain
+                       ? "captured for certain: it lies in the ball around 0 that keeps "
+                         "every orbit, whatever d is"
+                       : "captured: none of its " + points + " points escapes within " + steps;
         case CircleFate::escapes:
             return study.certain
                        ? "escapes for certain: it lies where every orbit leaves, whatever d is"
-                       : "escapes: all of its " + std::to_string(CircleStudy::kPoints) +
-                             " points leave within " + steps;
+                       : "escapes: all of its " + points + " points leave within " + steps;
         default:
             return (study.oneModulus ? "the versor decides: |f| is the same all along, and "
                                      : "the versor decides: ") +
@@ -124,7 +126,8 @@ Basins studyBasins(StudioContext& context) {
 
 const std::vector<CircleStudy>& studyCircles(StudioContext& context, int view) {
     CircleStudies::OfView& studies = context.circles.views[static_cast<std::size_t>(view)];
-    if (studies.revision == context.revision) return studies.all;
+    const bool fine = atRest(context);
+    if (studies.revision == context.revision && (studies.fine || !fine)) return studies.all;
     studies.all.clear();
     const Workspace& workspace = context.workspace;
     const std::optional<System> system = shownSystem(context);
@@ -132,12 +135,14 @@ const std::vector<CircleStudy>& studyCircles(StudioContext& context, int view) {
     const std::optional<StatePlane> plane = statePlaneOf(scene);
     if (!system || !plane || !takesCircles(workspace)) return studies.all;
     studies.revision = context.revision;
+    studies.fine = fine;
     const Basins basins = studyBasins(context);
     const double radius = scene.escapeRadius.value_or(automaticRadius(scene));
     for (const Workspace::Circle& circle : workspace.circles)
         studies.all.push_back(studyCircle(*system, circle, *plane, workspace.orbitAt,
                                           std::min(scene.iterations, kMostCircleSteps), radius,
-                                          basins));
+                                          basins,
+                                          fine ? CircleStudy::kPoints : CircleStudy::kFewPoints));
     return studies.all;
 }
 
@@ -154,9 +159,8 @@ std::string describeCircles(StudioContext& context) {
     if (view < 0 || context.workspace.circles.empty()) return {};
     const std::vector<CircleStudy>& all = studyCircles(context, view);
     std::string text;
-    const int iterations = context.workspace.views[static_cast<std::size_t>(view)].iterations;
     for (std::size_t k = 0; k < all.size(); ++k)
-        text += " Circle " + std::to_string(k + 1) + ": " + sentenceOf(all[k], iterations) + ".";
+        text += " Circle " + std::to_string(k + 1) + ": " + sentenceOf(all[k]) + ".";
     return text;
 }
 

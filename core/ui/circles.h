@@ -33,10 +33,12 @@ enum class CircleFate { captured, escapes, decided };
 
 struct CircleStudy {
     using Point = StatePlane::Point;
-    static constexpr int kPoints = 576;
+    // Around the circle; while something moves, fewer.
+    static constexpr int kPoints = 576, kFewPoints = 144;
 
     CircleFate fate = CircleFate::captured;
     bool certain = false;         // by the basins: for every point, not for those that were tried
+    int iterations = 0;           // for which its points were followed
     double stay = 0;              // the part of the points that never escape
     double least = 0, most = 0;   // of |f(x)| along it
     double low = 0, high = 0;     // of |x|
@@ -49,6 +51,7 @@ struct CircleStudy {
 struct CircleStudies {
     struct OfView {
         std::uint64_t revision = 0;
+        bool fine = false;
         std::vector<CircleStudy> all;
     };
     std::array<OfView, kMostViews> views;
@@ -60,9 +63,9 @@ struct CircleStudies {
 // Of one circle in this plane. `iterate` gives fⁿ up to the workspace's step and beyond.
 CircleStudy studyCircle(const System& system, const Workspace::Circle& circle,
                         const StatePlane& plane, int step, int iterations, double escapeRadius,
-                        const Basins& basins);
+                        const Basins& basins, int points = CircleStudy::kPoints);
 // In a sentence: "captured: no orbit that starts here escapes within 12 steps".
-std::string sentenceOf(const CircleStudy& study, int iterations);
+std::string sentenceOf(const CircleStudy& study);
 
 // Whether circles can be dropped here: a complex or quaternion map.
 bool takesCircles(const Workspace& workspace);

@@ -182,9 +182,8 @@ void drawCircleControls(StudioContext& context) {
         if (ImGui::SmallButton("take away")) removed = static_cast<int>(k);
         explain("remove circle");
         if (k < all.size()) {
-            const Scene& scene = workspace.views[static_cast<std::size_t>(view)];
             ImGui::PushTextWrapPos();
-            ImGui::TextUnformatted(sentenceOf(all[k], scene.iterations).c_str());
+            ImGui::TextUnformatted(sentenceOf(all[k]).c_str());
             ImGui::PopTextWrapPos();
         }
         ImGui::PopID();
