@@ -55,6 +55,24 @@ std::array<double, 2> usualRange(const Scene& scene, const std::string& name) {
     return {-2, 2};
 }
 
+// The parameter that an average is taken over where none is named: a complex one before a real one.
+struct Candidate {
+    std::string name;
+    bool disc = false;
+};
+Candidate candidateOf(const Scene& scene) {
+    const MapInfo& info = mapOf(scene).info;
+    const std::vector<std::string> discs = freeDiscs(scene), ranges = freeRanges(scene);
+    const auto has = [](const std::vector<std::string>& names, const std::string& name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    for (const ParameterInfo& parameter : info.parameters)
+        if (has(discs, std::string(parameter.name))) return {std::string(parameter.name), true};
+    for (int k = 0; k < parameterSize(info); ++k)
+        if (has(ranges, parameterComponent(info, k))) return {parameterComponent(info, k), false};
+    return {};
+}
+
 }  // namespace
 
 std::string shownAverage(const Scene& scene) {
@@ -108,32 +126,24 @@ Status averageOverVersors(Scene& scene) {
     return {};
 }
 
+std::string averagedNumber(const Scene& scene) {
+    const Candidate candidate = candidateOf(scene);
+    if (candidate.name.empty()) return {};
+    return candidate.name + (candidate.disc ? " in a disc" : " in a range");
+}
+
 Status averageOverNumber(Scene& scene) {
-    Scene next = scene;
-    const MapInfo& info = mapOf(scene).info;
-    const auto isParameter = [&](const std::string& name) {
-        const auto number = numberNamed(scene, name);
-        return number && number->kind == NumberKind::parameter;
-    };
-    for (const ParameterInfo& parameter : info.parameters) {
-        const std::string name(parameter.name);
-        const std::vector<std::string> discs = freeDiscs(next);
-        if (std::find(discs.begin(), discs.end(), name) == discs.end()) continue;
-        addDisc(next, name);
-        showAverage(next, kMean);
-        scene = std::move(next);
-        return {};
-    }
-    for (const std::string& name : freeRanges(next)) {
-        if (!isParameter(name)) continue;
-        addRange(next, name);
-        showAverage(next, kMean);
-        scene = std::move(next);
-        return {};
-    }
-    return Status::usage(
-        "All numbers of this map are on the axes of the view or drawn already: mark a view of "
-        "starting points");
+    const Candidate candidate = candidateOf(scene);
+    if (candidate.name.empty())
+        return Status::usage(
+            "All numbers of this map are on the axes of the view or drawn already: mark a view of "
+            "starting points");
+    if (candidate.disc)
+        addDisc(scene, candidate.name);
+    else
+        addRange(scene, candidate.name);
+    showAverage(scene, kMean);
+    return {};
 }
 
 std::vector<std::string> freeRanges(const Scene& scene) {

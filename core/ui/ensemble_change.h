@@ -25,6 +25,8 @@ Status averageOverVersors(Scene& scene);
 // The mean over a complex parameter from a disc around its present value; a real one from a range
 // where there is no complex one. ErrorKind::usage where all are on the axes.
 Status averageOverNumber(Scene& scene);
+// Which number that would be: "c in a disc", "alpha in a range"; empty where there is none.
+std::string averagedNumber(const Scene& scene);
 
 // Numbers that could be drawn from a range, and complex ones that could be drawn from a disc,
 // besides those that are.

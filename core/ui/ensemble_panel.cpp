@@ -27,9 +27,12 @@ void beginButtons(StudioContext& context) {
     if (!mapOf(scene).info.lists.empty()) {
         if (ImGui::Button("over random versors")) take(context, averageOverVersors(scene));
         explain("average versors");
-        ImGui::SameLine();
     }
-    if (ImGui::Button("over a number")) take(context, averageOverNumber(scene));
+    const std::string number = averagedNumber(scene);
+    if (number.empty()) return;
+    if (!mapOf(scene).info.lists.empty()) ImGui::SameLine();
+    if (ImGui::Button(("over " + number + "##number").c_str()))
+        take(context, averageOverNumber(scene));
     explain("average number");
 }
 
