@@ -149,9 +149,9 @@ void Studio::State::drawStatus() {
     }
     if (context.welcome) {
         ImGui::TextUnformatted(narrow ? "Drag the ring, then press Points: each point here is a "
-                                        "whole picture there."
+                                        "whole picture there. Or press Draw."
                                       : "Drag the ring. Every point of the left picture is a whole "
-                                        "picture on the right.");
+                                        "picture on the right. Or press D and draw a shape.");
         return;
     }
     ImGui::TextDisabled("Ctrl K finds every command, ? lists their keys");
