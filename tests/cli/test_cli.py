@@ -120,7 +120,7 @@ class Results(CommandLine):
         tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
         mesh = self.write("t.obj", tetrahedron)
         self.good("render", "shape-modulus", "-o", self.path("a.png"), "--size", "30x30",
-                  "--set", "shape=" + mesh, "--set", "resolution=16")
+                  "--set", "shape=" + mesh, "--set", "resolution=32")
         os.remove(mesh)
         self.good("render", self.path("a.png"), "-o", self.path("b.png"))
         self.assertEqual(self.read("a.png"), self.read("b.png"))
