@@ -108,7 +108,7 @@ EMSCRIPTEN_KEEPALIVE void worker_export(int threads, const char* document, const
             say(static_cast<float>(progress));
 #endif
         };
-        Expected<std::vector<unsigned char>> bytes = computeExport(renderer(), request, job);
+        Expected<std::vector<unsigned char>> bytes = computeExport(maker().renderer, request, job);
         Result result;
         if (bytes)
             result.bytes = std::move(*bytes);

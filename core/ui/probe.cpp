@@ -33,12 +33,12 @@ std::string complexText(std::complex<double> value) {
 
 // What a shape modulus looks up there: φ, α and β where they differ over space, and r̂.
 void probeShape(const Scene& scene, const OrbitProgram& program, Probe& found) {
-    const auto [x, y, z] = shapePlace(scene, program, found.u, found.v);
+    const std::array<double, 3> at = shapePlace(scene, program, found.u, found.v);
     const auto number = [&](const char* name, const Modulation* modulation) {
         const double base = scene.parameters.at(name)[0];
-        return modulation ? modulation->at(x, y, z, base) : base;
+        return modulation ? modulation->at(at[0], at[1], at[2], base) : base;
     };
-    const double phi = program.field->at(x, y, z);
+    const double phi = program.field->at(at[0], at[1], at[2]);
     const double alpha = number("alpha", program.field->alpha());
     const double beta = number("beta", program.field->beta());
     const bool asPrinted = scene.parameters.at(kAsPrinted)[0] != 0;
