@@ -122,11 +122,8 @@ void paint(StudioContext& context, int view, const ViewPlane& plane, bool hovere
         dab(context, view, here.x, here.y);
         return;
     }
-    if (!active) {
-        drawing.pressed = false;
-        return;
-    }
     if (!drawing.pressed || view != drawing.view) return;
+    drawing.pressed = active;  // a quick stroke may end in the frame of its last move
     // Dabs at even distances, however fast the hand was.
     const double step = kDabs * drawing.radius;
     for (int k = 0; k < 200 && glm::distance(here, drawing.lastDab) >= step; ++k) {

@@ -66,7 +66,10 @@ const tests = {
     await page.waitForTimeout(300);
     await page.mouse.move(690, 110);
     await page.mouse.down();
-    for (let y = 110; y < 170; y += 10) await page.mouse.move(690, y);
+    for (let y = 110; y < 170; y += 10) {
+      await page.mouse.move(690, y);
+      await page.waitForTimeout(60);
+    }
     await page.mouse.up();
     await settled(page, turned);
     await finished(page);
