@@ -43,11 +43,14 @@ const tests = {
     await page.mouse.down();
     for (const point of points.slice(1)) await page.mouse.move(...point);
     await shoot(page, "drawing");
+    const taken = await page.evaluate(() => window.versorium.picturesTaken);
     await page.mouse.up();
     const begin = performance.now();
     await changed(page, first);
-    await finished(page);
-    console.log(`  the Julia set of a drawn star after ${Math.round(performance.now() - begin)} ms`);
+    await waitFor(page, (taken) => window.versorium.picturesTaken > taken, taken);
+    const seen = Math.round(performance.now() - begin);
+    await waitFor(page, (taken) => window.versorium.picturesTaken > taken + 2 && window.versorium.finished, taken);
+    console.log(`  a drawn star: first picture after ${seen} ms, all of both views after ${Math.round(performance.now() - begin)} ms`);
     await page.waitForTimeout(300);
     await shoot(page, "drawn");
     const { views, focused } = await state(page);
