@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The studio's panels without a window: ImGui lays out and takes input, nothing is drawn. No
-// picture ever comes, so that no texture is made.
+// The studio's panels without a window: ImGui lays out and takes input, nothing is drawn, and no
+// picture ever comes.
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "imgui.h"
 #include "imgui_internal.h"
 #include "ui/context.h"
+#include "ui/software_canvas.h"
 
 namespace versorium {
 
@@ -59,8 +61,12 @@ class HeadlessGui {
         ImGui::GetStyle().HoverStationaryDelay = 0;
         loadFonts(themes()[0], 1);
         io.Fonts->Build();
+        canvas_.emplace();
     }
-    ~HeadlessGui() { ImGui::DestroyContext(context_); }
+    ~HeadlessGui() {
+        canvas_.reset();
+        ImGui::DestroyContext(context_);
+    }
     HeadlessGui(const HeadlessGui&) = delete;
 
     // One frame; `panel` is drawn into a window that fills the screen.
@@ -98,6 +104,7 @@ class HeadlessGui {
 
   private:
     ImGuiContext* context_;
+    std::optional<SoftwareCanvas> canvas_;  // keeps textures where there is no OpenGL
 };
 
 }  // namespace versorium
