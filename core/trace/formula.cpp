@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The text of formulas, read by recursive descent, and their normal form.
+// The text of formulas, read by recursive descent, and their normal form. Longer than a file should
+// be: parser, meaning of names and normal form speak of the same private terms; the next cut is
+// between the meaning of names and the normal form.
 #include "trace/formula.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From terms to a tape: every operation is done by the numbers of core/math over Expr, so that a
-// typed formula leaves what a built-in map leaves.
+// typed formula leaves what a built-in map leaves. Long because it holds one rule for each function
+// over each of the three algebras, which are read side by side.
 #include <cmath>
 
 #include "math/functions.h"
