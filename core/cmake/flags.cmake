@@ -13,8 +13,8 @@ target_compile_options(versorium_flags INTERFACE
 # Numbers and registers share one template: its | and & join truth values on purpose.
 target_compile_options(versorium_flags INTERFACE
     $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
-# g++ 12 warns wrongly of overlapping copies where it inlines std::string.
-target_compile_options(versorium_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+# g++ 12 warns wrongly of overlapping and too long copies where it inlines std::string.
+target_compile_options(versorium_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-array-bounds>)
 if(EMSCRIPTEN)
     target_compile_options(versorium_flags INTERFACE -msimd128)
     target_link_options(versorium_flags INTERFACE -sALLOW_MEMORY_GROWTH=1 -sTOTAL_STACK=1048576)

@@ -12,7 +12,7 @@ OrbitLanes::OrbitLanes(const OrbitProgram& program, int count, const double* con
                        const EvaluateOptions& options)
     : program_(&program), count_(count) {
     const MapKernels& map = *program.map;
-    row_ = &kernelTarget(options.flavour).doubles[map.index];
+    target_ = &kernelTarget(options.flavour);
     capacity_ = (count + kBatchPadding - 1) / kBatchPadding * kBatchPadding;
     states_.assign(static_cast<std::size_t>(map.dimension),
                    std::vector<double>(static_cast<std::size_t>(capacity_), 0.0));
@@ -135,12 +135,12 @@ OrbitBatch<double> OrbitLanes::batch(bool withSlopes) {
 
 void OrbitLanes::advance(int steps) {
     OrbitBatch<double> all = batch();
-    for (int i = 0; i < steps; ++i) row_->advance(all);
+    for (int i = 0; i < steps; ++i) target_->advance[program_->map->index](all);
 }
 
 void OrbitLanes::advanceDual() {
     OrbitBatch<double> all = batch(true);
-    row_->advanceDual(all);
+    target_->advanceDual[program_->map->index](all);
 }
 
 const EscapeResult& EscapeRun::run(OrbitLanes& lanes, Needed needed) {
@@ -162,7 +162,7 @@ const EscapeResult& EscapeRun::run(OrbitLanes& lanes, Needed needed) {
     batch.needEscaped = needed != Needed::steps || program.onlyLastTested;
     batch.squaredCapture = capture_ * capture_;
     batch.shortcuts = options_->shortcuts;
-    lanes.row().escape(batch);
+    lanes.escape(batch);
     result_.escaped.resize(count);
     result_.squaredNorm.resize(count);
     for (std::size_t i = 0; i < count; ++i) {

@@ -30,14 +30,14 @@ class OrbitLanes {
 
     // The batch with pointers into this object; valid until it changes.
     OrbitBatch<double> batch(bool withSlopes = false);
-    const BatchRow<double>& row() const { return *row_; }
+    void escape(OrbitBatch<double>& batch) const { target_->escape[program_->map->index](batch); }
 
   private:
     void fillStart(const double* const* coordinates);
     void criticalStart(int axis);
 
     const OrbitProgram* program_;
-    const BatchRow<double>* row_;
+    const KernelTarget* target_;
     int count_, capacity_;
     std::vector<std::vector<double>> states_, slopes_;
     // One value, or one for each orbit.

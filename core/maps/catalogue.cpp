@@ -10,18 +10,17 @@
 
 namespace versorium {
 
-const BatchRow<double>* doubles_v2_exact();
-const BatchRow<float>* floats_v2_exact();
-const BatchRow<double>* doubles_v3_exact();
-const BatchRow<float>* floats_v3_exact();
-const BatchRow<double>* doubles_v4_exact();
-const BatchRow<float>* floats_v4_exact();
-const BatchRow<double>* doubles_v3_fast();
-const BatchRow<float>* floats_v3_fast();
-const BatchRow<double>* doubles_v4_fast();
-const BatchRow<float>* floats_v4_fast();
-const BatchRow<double>* doubles_generic_exact();
-const BatchRow<float>* floats_generic_exact();
+#define VERSORIUM_DECLARE_TARGET(target)                  \
+    const BatchFunction<double>* escape_##target();       \
+    const BatchFunction<double>* advance_##target();      \
+    const BatchFunction<double>* advance_dual_##target(); \
+    const BatchFunction<float>* escape_float_##target();
+VERSORIUM_DECLARE_TARGET(v2_exact)
+VERSORIUM_DECLARE_TARGET(v3_exact)
+VERSORIUM_DECLARE_TARGET(v4_exact)
+VERSORIUM_DECLARE_TARGET(v3_fast)
+VERSORIUM_DECLARE_TARGET(v4_fast)
+VERSORIUM_DECLARE_TARGET(generic_exact)
 
 namespace {
 
@@ -99,6 +98,8 @@ std::span<const MapKernels> rowsOf(MapList<Maps...>) {
     return kRows;
 }
 
+#define VERSORIUM_TABLES_OF(target) \
+    escape_##target(), advance_##target(), advance_dual_##target(), escape_float_##target()
 std::vector<KernelTarget> allTargets() {
     const auto always = [] { return true; };
 #if VERSORIUM_X86_KERNELS > 0
@@ -113,16 +114,16 @@ std::vector<KernelTarget> allTargets() {
                __builtin_cpu_supports("avx512cd");
     };
     return {
-        {"x86-64-v2", Flavour::exact, always, doubles_v2_exact(), floats_v2_exact()},
-            {"x86-64-v3", Flavour::exact, v3, doubles_v3_exact(), floats_v3_exact()},
+        {"x86-64-v2", Flavour::exact, always, VERSORIUM_TABLES_OF(v2_exact)},
+            {"x86-64-v3", Flavour::exact, v3, VERSORIUM_TABLES_OF(v3_exact)},
 #if VERSORIUM_X86_KERNELS > 1
-            {"x86-64-v4", Flavour::exact, v4, doubles_v4_exact(), floats_v4_exact()},
-            {"x86-64-v3", Flavour::fast, v3, doubles_v3_fast(), floats_v3_fast()},
-            {"x86-64-v4", Flavour::fast, v4, doubles_v4_fast(), floats_v4_fast()},
+            {"x86-64-v4", Flavour::exact, v4, VERSORIUM_TABLES_OF(v4_exact)},
+            {"x86-64-v3", Flavour::fast, v3, VERSORIUM_TABLES_OF(v3_fast)},
+            {"x86-64-v4", Flavour::fast, v4, VERSORIUM_TABLES_OF(v4_fast)},
 #endif
     };
 #else
-    return {{"128-bit", Flavour::exact, always, doubles_generic_exact(), floats_generic_exact()}};
+    return {{"128-bit", Flavour::exact, always, VERSORIUM_TABLES_OF(generic_exact)}};
 #endif
 }
 

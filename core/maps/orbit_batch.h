@@ -68,13 +68,8 @@ constexpr std::size_t scratchSize(int capacity, int streams) {
            static_cast<std::size_t>(4 * kMostDimension + 3 * streams);
 }
 
-// One map on one instruction set and in one flavour.
 template <class T>
-struct BatchRow {
-    void (*escape)(OrbitBatch<T>&);
-    void (*advance)(OrbitBatch<T>&);
-    void (*advanceDual)(OrbitBatch<T>&);
-};
+using BatchFunction = void (*)(OrbitBatch<T>&);
 
 enum class Flavour { exact, fast };
 
@@ -82,9 +77,19 @@ struct KernelTarget {
     const char* name;  // "x86-64-v3", "simd128"
     Flavour flavour;
     bool (*available)();
-    // In the catalogue's order, then typed formulas of dimension 1, 2 and 4.
-    const BatchRow<double>* doubles;
-    const BatchRow<float>* floats;
+    // Functions of all maps: in the catalogue's order, then typed formulas of dimension 1, 2 and 4.
+    const BatchFunction<double>* escape;
+    const BatchFunction<double>* advance;      // one step
+    const BatchFunction<double>* advanceDual;  // one step with its derivative
+    const BatchFunction<float>* escapeFloat;   // null for most maps (see kernels/escape.cpp)
+
+    template <class T>
+    BatchFunction<T> escapeOf(int map) const {
+        if constexpr (sizeof(T) == sizeof(double))
+            return escape[map];
+        else
+            return escapeFloat[map];
+    }
 };
 
 }  // namespace versorium

@@ -5,7 +5,7 @@
 #include <deque>
 
 #include "plate/caption.h"
-#include "plate/grid.h"
+#include "plate/panel_grid.h"
 #include "plate/plate.h"
 
 namespace versorium {
@@ -62,7 +62,7 @@ class Composer {
         double y = margin_;
         if (options_.title)
             y = place(page, "title", title_, Face::serif, m_.title, theme_.text, y, 0.9 * m_.title);
-        const Grid grid = chooseGrid(inner);
+        const PanelGrid grid = chooseGrid(inner);
         const double gridLeft =
             margin_ + std::floor(0.5 * std::max(0.0, inner - grid.columns.total()));
         const double gridTop = y;
@@ -241,18 +241,18 @@ class Composer {
     }
 
     // The widest grid whose pictures are not too small.
-    Grid chooseGrid(double inner) const {
+    PanelGrid chooseGrid(double inner) const {
         const double page = std::clamp((options_.widthMillimetres - 89) / 89, 0.0, 1.0);
         const double least = (kLeastNarrow + page * (kLeastWide - kLeastNarrow)) * m_.millimetre;
         for (int columns = wishedColumns(plate_);; --columns) {
             int rows = 0;
             const std::vector<Cell> cells = placeCells(plate_.panels, columns, rows);
-            Grid grid = solveGrid(contents_, cells, columns, rows, inner, m_, theme_);
+            PanelGrid grid = solveGrid(contents_, cells, columns, rows, inner, m_, theme_);
             if (columns == 1 || grid.pictureWidth >= least) return grid;
         }
     }
 
-    Status drawScenes(Canvas& canvas, const Grid& grid, double left, double top) const {
+    Status drawScenes(Canvas& canvas, const PanelGrid& grid, double left, double top) const {
         const int all = static_cast<int>(plate_.panels.size());
         for (std::size_t i = 0; i < plate_.panels.size(); ++i) {
             const PlatePanel& panel = plate_.panels[i];

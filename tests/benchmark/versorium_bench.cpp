@@ -35,7 +35,7 @@ class KernelPicture {
     }
     std::vector<T>& parameter(int k) { return values_[static_cast<std::size_t>(k)]; }
 
-    std::int64_t run(const BatchRow<T>& row, const textbook::View& view, int iterations,
+    std::int64_t run(BatchFunction<T> escape, const textbook::View& view, int iterations,
                      double squaredRadius, bool shortcuts) {
         std::int64_t total = 0;
         for (int first = 0; first < kSide * kSide; first += kTile) {
@@ -60,7 +60,7 @@ class KernelPicture {
             batch.scratchIndex = index_.data();
             batch.needLast = false;
             batch.shortcuts = shortcuts;
-            row.escape(batch);
+            escape(batch);
             for (std::int32_t n : steps_) total += std::min<std::int32_t>(n, iterations);
         }
         return total;
@@ -73,14 +73,6 @@ class KernelPicture {
     std::vector<T> scratch_;
     std::vector<std::int32_t> index_, steps_;
 };
-
-template <class T>
-const BatchRow<T>& rowOf(const KernelTarget& target, const MapKernels& map) {
-    if constexpr (sizeof(T) == 8)
-        return target.doubles[map.index];
-    else
-        return target.floats[map.index];
-}
 
 void countRate(benchmark::State& state, std::int64_t iterations) {
     state.counters["iterations/s"] =
@@ -123,7 +115,8 @@ void addMandelbrot(const KernelTarget& target, const std::string& type, const ch
         KernelPicture<T> picture(map, false);
         std::int64_t total = 0;
         for (auto _ : state)
-            total += picture.run(rowOf<T>(target, map), textbook::kHome, kIterations, 4, false);
+            total +=
+                picture.run(target.escapeOf<T>(map.index), textbook::kHome, kIterations, 4, false);
         countRate(state, total);
     });
     ratios().push_back({name, "mandelbrot/" + type + "/textbook", goal});
@@ -139,7 +132,8 @@ void addFormula(const KernelTarget& target, const std::string& type) {
         KernelPicture<T> picture(map, false);
         std::int64_t total = 0;
         for (auto _ : state)
-            total += picture.run(rowOf<T>(target, map), textbook::kHome, kIterations, 4, false);
+            total +=
+                picture.run(target.escapeOf<T>(map.index), textbook::kHome, kIterations, 4, false);
         countRate(state, total);
     });
     ratios().push_back({name, "mandelbrot/" + type + "/" + nameOf(target), "0.25"});
@@ -151,7 +145,7 @@ void addShortcuts(const KernelTarget& target) {
     benchmark::RegisterBenchmark(name.c_str(), [&target, &map](benchmark::State& state) {
         KernelPicture<double> picture(map, false);
         for (auto _ : state)
-            picture.run(target.doubles[map.index], textbook::kHome, kIterations, 4, true);
+            picture.run(target.escape[map.index], textbook::kHome, kIterations, 4, true);
     });
     ratios().push_back({name, "mandelbrot/double/" + nameOf(target), "3"});
 }
@@ -168,7 +162,7 @@ void addPlanar(const KernelTarget& target, const std::string& name, const std::v
                       k[static_cast<std::size_t>(i)]);
         std::int64_t total = 0;
         for (auto _ : state)
-            total += picture.run(target.doubles[map.index], {0, 0, height}, iterations,
+            total += picture.run(target.escape[map.index], {0, 0, height}, iterations,
                                  squaredRadius, false);
         countRate(state, total);
         // 24 multiply-adds a step.

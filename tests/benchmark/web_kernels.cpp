@@ -12,7 +12,7 @@ namespace {
 constexpr int kTile = 4096;
 
 template <class T>
-double mandelbrot(int side, int iterations, const BatchRow<T>& row) {
+double mandelbrot(int side, int iterations, BatchFunction<T> escape) {
     std::vector<T> state[2], c[2], scratch(scratchSize(kTile, 2 + kMostOverrides));
     for (int k = 0; k < 2; ++k) state[k].resize(kTile), c[k].resize(kTile);
     std::vector<std::int32_t> steps(kTile), index(6 * kTile);
@@ -36,7 +36,7 @@ double mandelbrot(int side, int iterations, const BatchRow<T>& row) {
         batch.scratchIndex = index.data();
         batch.needLast = false;
         batch.shortcuts = false;
-        row.escape(batch);
+        escape(batch);
         for (std::int32_t n : steps) total += std::min<std::int32_t>(n, iterations);
     }
     return total;
@@ -49,10 +49,10 @@ double mandelbrot(int side, int iterations, const BatchRow<T>& row) {
 extern "C" double mandelbrotDouble(int side, int iterations) {
     using namespace versorium;
     return mandelbrot(side, iterations,
-                      kernelTarget(Flavour::exact).doubles[findMap("quadratic")->index]);
+                      kernelTarget(Flavour::exact).escape[findMap("quadratic")->index]);
 }
 extern "C" double mandelbrotFloat(int side, int iterations) {
     using namespace versorium;
     return mandelbrot(side, iterations,
-                      kernelTarget(Flavour::exact).floats[findMap("quadratic")->index]);
+                      kernelTarget(Flavour::exact).escapeFloat[findMap("quadratic")->index]);
 }

@@ -16,7 +16,7 @@ if(NOT VERSORIUM_SANITIZE)
     get_property(kernels GLOBAL PROPERTY VERSORIUM_KERNELS)
     set(objects "")
     foreach(kernel IN LISTS kernels)
-        list(APPEND objects "${kernel}=$<TARGET_OBJECTS:versorium_kernels_${kernel}>")
+        list(APPEND objects "${kernel}=$<JOIN:$<TARGET_OBJECTS:versorium_kernels_${kernel}>,,>")
     endforeach()
     versorium_test(check_kernel_symbols ${VERSORIUM_PYTHON} "${checks}/kernel_symbols.py"
         ${CMAKE_NM} ${objects})

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """No function that is compiled for one instruction set can be linked into code for another.
 
-kernel_symbols.py NM NAME=OBJECT…: every symbol of OBJECT that the linker could share (global or
-weak) has the namespace NAME in its name, but for the two functions that hand out the tables.
+kernel_symbols.py NM NAME=OBJECT,OBJECT…: every symbol of the OBJECTs that the linker could share
+(global or weak) has the namespace NAME in its name, but for the functions that hand out the tables.
 """
 import re
 import subprocess
@@ -11,9 +11,12 @@ import sys
 
 
 def faults_of(listing, name):
-    tables = {f"versorium::doubles_{name}()", f"versorium::floats_{name}()"}
+    tables = {f"versorium::{table}_{name}()"
+              for table in ("escape", "escape_float", "advance", "advance_dual")}
     seen = set()
     for line in listing.splitlines():
+        if not line or line.endswith(":"):
+            continue  # nm names each file
         kind, symbol = re.match(r"(?:[0-9a-f]+)?\s+(\S)\s+(.*)", line).groups()
         # Constants hold the same bytes whoever made them; only code differs.
         if kind not in "TWi":
@@ -30,9 +33,9 @@ def main():
     nm, *objects = sys.argv[1:]
     faults = []
     for item in objects:
-        name, path = item.split("=", 1)
-        listing = subprocess.run([nm, "-C", "--defined-only", path], check=True, text=True,
-                                 stdout=subprocess.PIPE).stdout
+        name, paths = item.split("=", 1)
+        listing = subprocess.run([nm, "-C", "--defined-only", *paths.split(",")],
+                                 check=True, text=True, stdout=subprocess.PIPE).stdout
         faults.extend(faults_of(listing, name))
     for fault in faults:
         print(fault)

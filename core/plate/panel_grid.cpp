@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plate/grid.h"
+#include "plate/panel_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,13 +24,13 @@ class GridSolver {
                const Theme& theme, double width)
         : contents_(contents), m_(metrics), theme_(theme), width_(width) {}
 
-    Grid solve(const std::vector<Cell>& cells, int columns, int rows) const {
-        Grid grid{Track(columns, std::floor(m_.columnGap)),
-                  Track(rows, std::floor(m_.rowGap)),
-                  cells,
-                  {},
-                  {},
-                  0};
+    PanelGrid solve(const std::vector<Cell>& cells, int columns, int rows) const {
+        PanelGrid grid{Track(columns, std::floor(m_.columnGap)),
+                       Track(rows, std::floor(m_.rowGap)),
+                       cells,
+                       {},
+                       {},
+                       0};
         // The first rounds begin with pictures that are too wide; what they asked for in vain is
         // given back before the last ones.
         for (int pass = 0; pass < kPasses; ++pass) {
@@ -46,7 +46,7 @@ class GridSolver {
     }
 
   private:
-    void setWidths(Grid& grid) const {
+    void setWidths(PanelGrid& grid) const {
         std::vector<double>& size = grid.columns.size;
         std::fill(size.begin(), size.end(), 0.0);
         const double room = width_ - grid.columns.total();
@@ -61,7 +61,7 @@ class GridSolver {
     }
     double enlarge() const { return width_ / (178 * m_.millimetre); }
 
-    void setHeights(Grid& grid) const {
+    void setHeights(PanelGrid& grid) const {
         std::vector<double>& heights = grid.rows.size;
         std::fill(heights.begin(), heights.end(), 0.0);
         for (const bool spanning : {false, true})
@@ -82,7 +82,7 @@ class GridSolver {
     }
 
     // Fits the pictures into their cells and builds the panels; true when a margin grew.
-    bool measure(Grid& grid) const {
+    bool measure(PanelGrid& grid) const {
         grid.pictures.clear();
         grid.sheets.clear();
         bool grew = false;
@@ -194,14 +194,15 @@ bool Track::need(int i, int span, double beforeIt, double afterIt) {
     return grows;
 }
 
-Point Grid::cornerOf(std::size_t i) const {
+Point PanelGrid::cornerOf(std::size_t i) const {
     const Cell& cell = cells[i];
     const double spare = columns.inner(cell.column, cell.span) - pictures[i].width;
     return {columns.start(cell.column) + std::floor(0.5 * spare), rows.start(cell.row)};
 }
 
-Grid solveGrid(const std::vector<PanelContent>& contents, const std::vector<Cell>& cells,
-               int columns, int rows, double width, const Metrics& metrics, const Theme& theme) {
+PanelGrid solveGrid(const std::vector<PanelContent>& contents, const std::vector<Cell>& cells,
+                    int columns, int rows, double width, const Metrics& metrics,
+                    const Theme& theme) {
     return GridSolver(contents, metrics, theme, width).solve(cells, columns, rows);
 }
 

@@ -37,7 +37,7 @@ struct Track {
     bool need(int i, int span, double beforeIt, double afterIt);
 };
 
-struct Grid {
+struct PanelGrid {
     Track columns, rows;
     std::vector<Cell> cells;
     std::vector<Size> pictures;
@@ -49,7 +49,8 @@ struct Grid {
 };
 
 // The panels around pictures as large as the width allows. The contents must outlive the grid.
-Grid solveGrid(const std::vector<PanelContent>& contents, const std::vector<Cell>& cells,
-               int columns, int rows, double width, const Metrics& metrics, const Theme& theme);
+PanelGrid solveGrid(const std::vector<PanelContent>& contents, const std::vector<Cell>& cells,
+                    int columns, int rows, double width, const Metrics& metrics,
+                    const Theme& theme);
 
 }  // namespace versorium
