@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "ui/picture_worker.h"
-#include "ui/workspace.h"
+#include "workspace/workspace.h"
 
 namespace versorium {
 

@@ -50,6 +50,7 @@ int main(int argc, char** argv) {
     versorium::addDynamicsCommands(line);
     versorium::addShapeCommands(line);
     versorium::addFileCommands(line);
+    versorium::addLessonCommands(line);
 #if VERSORIUM_STUDIO
     versorium::addStudioCommand(line);
 #endif

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "ui/state_plane.h"
-#include "ui/workspace.h"
+#include "workspace/workspace.h"
 
 struct ImDrawList;
 struct ImVec2;

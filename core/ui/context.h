@@ -16,7 +16,6 @@
 #include "ui/circles.h"
 #include "ui/contact_sheet.h"
 #include "ui/drawing.h"
-#include "ui/export_document.h"
 #include "ui/formulas.h"
 #include "ui/gallery.h"
 #include "ui/host.h"
@@ -26,7 +25,8 @@
 #include "ui/studies.h"
 #include "ui/theme.h"
 #include "ui/versor.h"
-#include "ui/workspace.h"
+#include "workspace/export_document.h"
+#include "workspace/workspace.h"
 
 namespace versorium {
 

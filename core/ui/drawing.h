@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "imgui.h"
-#include "ui/workspace.h"
+#include "workspace/workspace.h"
 
 struct ImDrawList;
 

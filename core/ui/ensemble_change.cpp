@@ -20,13 +20,6 @@ constexpr double kRootBox = 1;
 constexpr double kAround = 0.05;
 constexpr double kDisc = 0.1;
 
-bool isOnAxis(const Scene& scene, const std::string& name) {
-    for (const SliceAxis& axis : scene.slice.axes)
-        for (const auto& [term, weight] : axis.terms)
-            if (term == name) return true;
-    return false;
-}
-
 bool isDrawn(const EnsembleSpec& ensemble, const std::string& name) {
     for (const EnsembleRange& range : ensemble.ranges)
         if (range.name == name) return true;
@@ -176,16 +169,6 @@ void addRange(Scene& scene, const std::string& name) {
 void addDisc(Scene& scene, const std::string& name) {
     scene.ensemble.discs.push_back(
         {name, numberOf(scene, name + ".re"), numberOf(scene, name + ".im"), kDisc});
-}
-
-void keepEnsembleFitting(Scene& scene) {
-    EnsembleSpec& ensemble = scene.ensemble;
-    std::erase_if(ensemble.ranges,
-                  [&](const EnsembleRange& range) { return isOnAxis(scene, range.name); });
-    std::erase_if(ensemble.discs, [&](const EnsembleDisc& disc) {
-        return isOnAxis(scene, disc.name + ".re") || isOnAxis(scene, disc.name + ".im");
-    });
-    if (!checkEnsemble(scene).ok()) ensemble.roots.reset();
 }
 
 const std::vector<std::pair<std::string, std::vector<double>>>& contourChoices() {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "ui/workspace.h"
+#include "workspace/workspace.h"
 
 namespace versorium {
 
@@ -35,8 +35,6 @@ std::vector<std::string> freeDiscs(const Scene& scene);
 // From about the present value.
 void addRange(Scene& scene, const std::string& name);
 void addDisc(Scene& scene, const std::string& name);
-// What came to lie on an axis of the picture is drawn no longer.
-void keepEnsembleFitting(Scene& scene);
 
 // Levels by name, to choose from, and what stands for the levels of a scene.
 const std::vector<std::pair<std::string, std::vector<double>>>& contourChoices();

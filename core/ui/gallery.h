@@ -12,7 +12,7 @@
 
 #include "imgui.h"
 #include "ui/host.h"
-#include "ui/workspace.h"
+#include "workspace/workspace.h"
 
 namespace versorium {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/workspace.h"
+#include "workspace/workspace.h"
 
 namespace versorium {
 

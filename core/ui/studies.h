@@ -17,7 +17,7 @@
 #include "dynamics/critical_set.h"
 #include "dynamics/cycles.h"
 #include "dynamics/manifolds.h"
-#include "ui/workspace.h"
+#include "workspace/workspace.h"
 
 namespace versorium {
 

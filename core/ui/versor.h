@@ -9,7 +9,7 @@
 #include <string>
 
 #include "scene/ensemble.h"
-#include "ui/workspace.h"
+#include "workspace/workspace.h"
 
 namespace versorium {
 

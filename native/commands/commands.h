@@ -38,6 +38,7 @@ void addMeasureCommands(CommandLine& line);   // eval, orbit
 void addDynamicsCommands(CommandLine& line);  // cycles, manifolds, critical, explain
 void addShapeCommands(CommandLine& line);     // roots, profile
 void addFileCommands(CommandLine& line);      // shape, scene
+void addLessonCommands(CommandLine& line);    // lesson
 void addStudioCommand(CommandLine& line);     // studio, also what no command means
 
 // Shows progress with an estimate of what is left, on a terminal only.

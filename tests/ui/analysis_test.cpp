@@ -6,9 +6,9 @@
 
 #include "io/png.h"
 #include "render/movie.h"
-#include "ui/export_document.h"
 #include "ui/headless_gui.h"
 #include "ui/open_file.h"
+#include "workspace/export_document.h"
 
 namespace versorium {
 namespace {

@@ -4,7 +4,8 @@
 // `versorium plate` makes the same bytes of it.
 
 #include "io/document.h"
-#include "ui/workspace.h"
+#include "plate/plate_picture.h"
+#include "workspace/workspace.h"
 
 namespace versorium {
 
@@ -20,11 +21,15 @@ struct ExportOptions {
     bool title = true, caption = true;
 };
 
+// The views as panels of a plate, all of them or the marked one, with the title and the caption
+// that follow from them. `aspects` holds width over height of every view as it is shown.
+PlateDocument plateOfViews(const Workspace& workspace, const std::vector<double>& aspects,
+                           bool all);
+
 // The motion of the moving view, as an animation: for `versorium animate`.
 Document motionDocument(const Workspace& workspace);
 
-// `aspects` holds width over height of every view as it is shown. Fails where the picture would be
-// larger than any may be.
+// Fails where the picture would be larger than any may be.
 Expected<Document> exportDocument(const Workspace& workspace, const std::vector<double>& aspects,
                                   const ExportOptions& options);
 

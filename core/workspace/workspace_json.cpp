@@ -4,7 +4,7 @@
 #include "base/base64.h"
 #include "io/document.h"
 #include "io/stb_png.h"
-#include "ui/workspace.h"
+#include "workspace/workspace.h"
 
 namespace versorium {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ui/export_document.h"
+#include "workspace/export_document.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,13 +56,15 @@ Expected<Document> builtInPlate(const ExportOptions& options) {
     return documentOfPlate(*plate);
 }
 
-Document plateDocument(const Workspace& workspace, const std::vector<double>& aspects,
-                       const ExportOptions& options) {
+}  // namespace
+
+PlateDocument plateOfViews(const Workspace& workspace, const std::vector<double>& aspects,
+                           bool all) {
     PlateDocument document;
     Plate& plate = document.plate;
     std::vector<Scene> scenes;
     for (std::size_t k = 0; k < workspace.views.size(); ++k) {
-        if (!options.allViews && static_cast<int>(k) != workspace.focused) continue;
+        if (!all && static_cast<int>(k) != workspace.focused) continue;
         scenes.push_back(sceneOfView(workspace, k, aspects));
         PlatePanel panel;
         panel.name = static_cast<char>('a' + plate.panels.size());
@@ -75,11 +77,8 @@ Document plateDocument(const Workspace& workspace, const std::vector<double>& as
     plate.caption = captionOf(scenes);
     plate.note =
         "Versorium · " + escapeMarkup(std::string(info.source)) + " · scene embedded in this file";
-    document.options = plateOptions(options);
-    return documentOfPlate(document);
+    return document;
 }
-
-}  // namespace
 
 Document motionDocument(const Workspace& workspace) {
     const auto view = static_cast<std::size_t>(workspace.motionView);
@@ -111,7 +110,9 @@ Expected<Document> exportDocument(const Workspace& workspace, const std::vector<
             return Status::usage("a plate of " + std::to_string(std::lround(pixels)) +
                                  " pixels in width is too large: take fewer pixels per inch");
         if (!options.builtIn.empty()) return builtInPlate(options);
-        return plateDocument(workspace, aspects, options);
+        PlateDocument plate = plateOfViews(workspace, aspects, options.allViews);
+        plate.options = plateOptions(options);
+        return documentOfPlate(plate);
     }
     const auto view = static_cast<std::size_t>(workspace.focused);
     const Scene scene = sceneOfView(workspace, view, aspects);

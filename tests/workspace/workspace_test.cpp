@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ui/workspace.h"
+#include "workspace/workspace.h"
 
 #include <gtest/gtest.h>
 

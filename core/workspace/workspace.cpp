@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ui/workspace.h"
+#include "workspace/workspace.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "maps/critical.h"
-#include "ui/ensemble_change.h"
 
 namespace versorium {
 namespace {

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// A lesson: steps of text, each with what the studio shows, and perhaps a question to commit to and
+// a goal to reach by hand. It is read from one Markdown file (lessons/README.md is the guide for
+// authors); such a file may be anybody's, so everything in it is checked and bounded.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lesson/condition.h"
+#include "lesson/markdown.h"
+#include "workspace/workspace.h"
+
+namespace versorium {
+
+inline constexpr std::size_t kMostSteps = 40;
+inline constexpr std::size_t kMostHints = 8;
+inline constexpr std::size_t kMostChoices = 8;
+// Of a title and of a choice, in characters: what a phone shows without a wall of text.
+inline constexpr std::size_t kTitleCharacters = 60, kChoiceCharacters = 140;
+// Of the prose of one step, in words.
+inline constexpr std::size_t kMostWords = 160;
+
+enum class AnswerKind { choice, number, point };
+
+// A prediction: it is committed to before anything is revealed.
+struct Question {
+    AnswerKind kind = AnswerKind::choice;
+    std::string prompt;
+    struct Choice {
+        std::string text;
+        bool right = false;
+        std::string meaning;  // what the answer would have meant
+    };
+    std::vector<Choice> choices;
+    // A number, or a point (x, y) of a view, is right within the tolerance.
+    double answer[2] = {};
+    double tolerance = 0;
+    int view = 0;  // of a point
+    // What a number would have meant, by conditions on it: the first that holds.
+    struct Meaning {
+        Condition when;  // names "answer"; of a point "x" and "y"
+        std::string text;
+    };
+    std::vector<Meaning> meanings;
+    std::string praise;  // said of a right number or point
+};
+
+struct Goal {
+    Condition when;
+    std::string text;    // what is to be reached
+    std::string praise;  // said once it is
+};
+
+struct LessonStep {
+    std::string title;
+    int line = 0;
+    std::vector<TextBlock> prose;
+    Workspace stage;  // the teacher's state
+    // Ids of the controls that are open to the learner (ui/controls.h); all where there are none.
+    std::vector<std::string> controls;
+    std::optional<Question> question;
+    std::optional<Goal> goal;
+    std::optional<Workspace> solution;  // in which the goal is reached
+    std::vector<TextBlock> reveal;      // shown beside the answer once that is committed
+    std::optional<Workspace> revealStage;
+    std::vector<std::vector<TextBlock>> hints;
+    std::vector<std::vector<TextBlock>> notes;  // for teachers
+};
+
+struct Lesson {
+    std::string id, language;  // of the file's name: "orbit.en.md"
+    std::string title, level;
+    int minutes = 0;
+    std::vector<std::string> rows;  // of the list of capabilities
+    std::vector<LessonStep> steps;
+};
+
+// ErrorKind::data with the line. `name` is the file's own.
+Expected<Lesson> parseLesson(std::string_view text, const std::string& name);
+
+// Lessons that the program carries, in teaching order, which is that of their names; and one of
+// them, in English where there is none in that language.
+std::vector<std::string> lessonIds();
+Expected<Lesson> lessonNamed(const std::string& id, const std::string& language);
+
+// Whether an answer is right, and what it means: the text to say. ErrorKind::usage where it cannot
+// be an answer at all: an index of a choice from 1, a number, or two numbers.
+struct Judgement {
+    bool right = false;
+    std::string text;  // may be empty
+};
+Expected<Judgement> judge(const Question& question, const std::string& answer);
+
+// What is wrong with a lesson that can be read: goals that hold from the beginning or that their
+// solution does not reach, texts too long for a phone. Each with its line.
+std::vector<std::string> faultsOf(const Lesson& lesson);
+
+}  // namespace versorium
