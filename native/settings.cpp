@@ -22,7 +22,9 @@ std::string readSetting(const std::string& name) {
     const std::string folder = settingsFolder();
     if (folder.empty()) return {};
     const Expected<Bytes> bytes = readFile(folder + "/" + name, std::size_t{1} << 20);
-    return bytes ? std::string(bytes->begin(), bytes->end()) : std::string();
+    std::string text = bytes ? std::string(bytes->begin(), bytes->end()) : std::string();
+    text.erase(text.find_last_not_of(" \t\r\n") + 1);
+    return text;
 }
 
 Status writeSetting(const std::string& name, const std::string& text) {

@@ -10,7 +10,7 @@ namespace versorium {
 
 // $XDG_CONFIG_HOME/versorium, or ~/.config/versorium; empty when neither is known.
 std::string settingsFolder();
-// Empty where nothing was stored.
+// Empty where nothing was stored; without the line end that an editor leaves behind.
 std::string readSetting(const std::string& name);
 Status writeSetting(const std::string& name, const std::string& text);
 

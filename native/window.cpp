@@ -72,12 +72,7 @@ class WindowHost final : public Host {
     Expected<std::vector<unsigned char>> readFile(const std::string& path) override {
         return versorium::readFile(path, kOpenBytes);
     }
-    std::string publicAddress() const override {
-        std::string address = readSetting("public_url");
-        while (!address.empty() && (address.back() == '\n' || address.back() == ' '))
-            address.pop_back();
-        return address;
-    }
+    std::string publicAddress() const override { return readSetting("public_url"); }
     void setFragment(const std::string& fragment) override { fragment_ = fragment; }
     std::string stored(const std::string& name) override { return readSetting(name); }
     void store(const std::string& name, const std::string& text) override {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The text of formulas, read by recursive descent, and their normal form. Longer than a file should
-// be: parser, meaning of names and normal form speak of the same private terms; the next cut is
-// between the meaning of names and the normal form.
+// The text of formulas, read by recursive descent, and what the names in it mean.
 #include "trace/formula.h"
 
 #include <algorithm>
@@ -9,7 +7,6 @@
 #include <cstdlib>
 #include <set>
 
-#include "base/json.h"
 #include "trace/formula_terms.h"
 
 namespace versorium {
@@ -32,7 +29,6 @@ namespace {
 
 constexpr std::size_t kNameCharacters = 24;
 constexpr std::size_t kNumberCharacters = 40;
-constexpr double kPi = 3.14159265358979323846, kE = 2.71828182845904523536;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -78,20 +74,6 @@ std::string utf8(char32_t c) {
     }
     return text += static_cast<char>(0x80 | (c & 0x3f));
 }
-
-std::string_view kindName(FormulaKind kind) {
-    constexpr std::string_view kNames[] = {"real", "whole", "complex", "quaternion"};
-    return kNames[static_cast<int>(kind)];
-}
-
-struct Declaration {
-    std::string name;
-    std::size_t position = 0;
-    std::optional<FormulaKind> kind;
-    std::optional<Expression> value;
-    bool ranged = false;
-    double low = 0, high = 0;
-};
 
 struct Statement {
     std::string head;  // z, q, x, y, or empty
@@ -829,114 +811,6 @@ class Meaning {
     std::vector<bool> exponent_;
 };
 
-// ---- the normal form ---------------------------------------------------------------------------
-
-// How tightly a term holds together.
-enum Level { kOr = 1, kAnd, kNot, kComparison, kSum, kProduct, kSign, kPower, kAtom };
-
-struct Printed {
-    std::string text;
-    int level = kAtom;
-};
-
-std::string bracketed(const Printed& printed, int least) {
-    return printed.level < least ? "(" + printed.text + ")" : printed.text;
-}
-
-Printed printTerm(const Term& term, const std::vector<Printed>& all, const Parser& parser,
-                  const Formula& formula, FormulaSpace space) {
-    const auto left = [&](int least) { return bracketed(all[at(term.a)], least); };
-    const auto right = [&](int least) { return bracketed(all[at(term.b)], least); };
-    const auto binary = [&](const char* sign, int level, int leftLeast, int rightLeast) {
-        return Printed{left(leftLeast) + sign + right(rightLeast), level};
-    };
-    (void)parser;
-    switch (term.kind) {
-        case TermKind::number:
-            if (term.number == kPi) return {"pi"};
-            if (term.number == kE) return {"e"};
-            return {formatNumber(term.number)};
-        case TermKind::unit:
-            return {std::string(1, "1ijk"[term.index])};
-        case TermKind::variable:
-            return {space == FormulaSpace::complex      ? "z"
-                    : space == FormulaSpace::quaternion ? "q"
-                    : term.index == 0                   ? "x"
-                                                        : "y"};
-        case TermKind::name:
-            return {formula.parameters[at(term.index)].name};
-        case TermKind::component: {
-            constexpr const char* kComplex[] = {".re", ".im", ".y", ".z"};
-            constexpr const char* kQuaternion[] = {".w", ".x", ".y", ".z"};
-            const bool number =
-                all[at(term.a)].text.find_first_not_of("0123456789.") == std::string::npos;
-            return {(number ? "(" + all[at(term.a)].text + ")" : left(kAtom)) +
-                    (space == FormulaSpace::quaternion ? kQuaternion : kComplex)[term.index]};
-        }
-        case TermKind::add:
-            return binary(" + ", kSum, kSum, kProduct);
-        case TermKind::subtract:
-            return binary(" - ", kSum, kSum, kProduct);
-        case TermKind::multiply:
-            return binary("*", kProduct, kProduct, kSign);
-        case TermKind::divide:
-            return binary("/", kProduct, kProduct, kSign);
-        case TermKind::negate:
-            return {"-" + left(kSign), kSign};
-        case TermKind::power:
-            return binary("^", kPower, kAtom, kSign);
-        case TermKind::less:
-            return binary(" < ", kComparison, kSum, kSum);
-        case TermKind::lessEqual:
-            return binary(" <= ", kComparison, kSum, kSum);
-        case TermKind::greater:
-            return binary(" > ", kComparison, kSum, kSum);
-        case TermKind::greaterEqual:
-            return binary(" >= ", kComparison, kSum, kSum);
-        case TermKind::equal:
-            return binary(" == ", kComparison, kSum, kSum);
-        case TermKind::notEqual:
-            return binary(" != ", kComparison, kSum, kSum);
-        case TermKind::conjunction:
-            return binary(" and ", kAnd, kAnd, kNot);
-        case TermKind::disjunction:
-            return binary(" or ", kOr, kOr, kAnd);
-        case TermKind::negation:
-            return {"not " + left(kNot), kNot};
-        default: {
-            std::string text;
-            for (const FunctionInfo& info : kFunctions)
-                if (text.empty() && static_cast<int>(info.function) == term.index)
-                    text = std::string(info.name) + "(";
-            text += all[at(term.a)].text;
-            for (int operand : {term.b, term.c})
-                if (operand >= 0) text += ", " + all[at(operand)].text;
-            return {text + ")"};
-        }
-    }
-}
-
-std::string printExpression(const Expression& expression, const Parser& parser,
-                            const Formula& formula) {
-    std::vector<Printed> all;
-    for (const Term& term : expression.terms)
-        all.push_back(printTerm(term, all, parser, formula, formula.space));
-    return all.back().text;
-}
-
-// "-0.1 + 0.7*i", and so that it reads back as the same numbers.
-std::string printValue(const FormulaParameter& parameter) {
-    constexpr const char* kUnits[] = {"", "*i", "*j", "*k"};
-    std::string text = formatNumber(parameter.value[0]);
-    for (int k = 1; k < widthOf(parameter.kind); ++k) {
-        const double part = parameter.value[at(k)];
-        if (part == 0 && !std::signbit(part)) continue;
-        text += std::string(std::signbit(part) ? " - " : " + ") + formatNumber(std::abs(part)) +
-                kUnits[k];
-    }
-    return text;
-}
-
 }  // namespace
 }  // namespace formulas
 
@@ -947,26 +821,6 @@ int widthOf(FormulaKind kind) {
 int dimensionOf(FormulaSpace space) {
     return space == FormulaSpace::line ? 1 : space == FormulaSpace::quaternion ? 4 : 2;
 }
-
-namespace {
-
-// The declarations that the defaults do not say already.
-std::string declarationsOf(const formulas::Parser& parser, const Formula& formula) {
-    std::string text;
-    for (const FormulaParameter& parameter : formula.parameters)
-        for (const formulas::Declaration& declared : parser.declarations) {
-            if (declared.name != parameter.name) continue;
-            text += "; " + parameter.name;
-            if (declared.kind) text += ": " + std::string(formulas::kindName(parameter.kind));
-            if (declared.value) text += " = " + formulas::printValue(parameter);
-            if (declared.ranged)
-                text += " in [" + formatNumber(parameter.low) + ", " +
-                        formatNumber(parameter.high) + "]";
-        }
-    return text;
-}
-
-}  // namespace
 
 Expected<Formula> parseFormula(std::string_view text, FormulaFault* fault,
                                const FormulaShape* shape) {
@@ -983,14 +837,14 @@ Expected<Formula> parseFormula(std::string_view text, FormulaFault* fault,
     if (!meaning.find()) return found = meaning.fault, refused();
     if (!formulas::recordFormula(meaning.components(), formula, found)) return refused();
     const auto& parts = meaning.components();
-    formula.body = formulas::printExpression(parts[0], parser, formula);
+    formula.body = formulas::printExpression(parts[0], formula);
     if (formula.shape) formula.body = "shape(" + formula.body + ")";
     if (parts.size() == 2)
-        formula.body = "x' = " + formula.body +
-                       ", y' = " + formulas::printExpression(parts[1], parser, formula);
+        formula.body =
+            "x' = " + formula.body + ", y' = " + formulas::printExpression(parts[1], formula);
     else if (!parser.statements[0].head.empty())
         formula.body = parser.statements[0].head + "' = " + formula.body;
-    formula.text = formula.body + declarationsOf(parser, formula);
+    formula.text = formula.body + formulas::printDeclarations(parser.declarations, formula);
     return formula;
 }
 

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What the parser of formulas hands to the recorder: terms in the order in which they are computed.
+// What the parser of formulas hands to the recorder and to the normal form: terms in the order in
+// which they are computed.
 
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "trace/formula.h"
 
 namespace versorium::formulas {
+
+// The constants pi and e.
+constexpr double kPi = 3.14159265358979323846, kE = 2.71828182845904523536;
 
 enum class TermKind {
     number,
@@ -82,6 +90,16 @@ struct Expression {
     std::vector<Term> terms;
 };
 
+// What stands behind a formula of one of its names: "; a: complex = 1 + i in [-2, 2]".
+struct Declaration {
+    std::string name;
+    std::size_t position = 0;
+    std::optional<FormulaKind> kind;
+    std::optional<Expression> value;
+    bool ranged = false;
+    double low = 0, high = 0;
+};
+
 // Records the expressions of a formula on its tape, and finds what its critical points follow from.
 // False with the fault where the types do not fit. Needs space and parameters.
 bool recordFormula(const std::vector<Expression>& components, Formula& formula,
@@ -89,5 +107,12 @@ bool recordFormula(const std::vector<Expression>& components, Formula& formula,
 // The value of an expression without names, as `kind`; false with the fault.
 bool constantOf(const Expression& expression, FormulaSpace space, FormulaKind kind,
                 std::array<double, 4>& value, FormulaFault& fault);
+
+// As a declaration names it: "real", "whole", "complex" or "quaternion".
+std::string_view kindName(FormulaKind kind);
+// The normal form of an expression, with no more brackets than it needs.
+std::string printExpression(const Expression& expression, const Formula& formula);
+// That of the declarations, in the order of the parameters.
+std::string printDeclarations(const std::vector<Declaration>& declarations, const Formula& formula);
 
 }  // namespace versorium::formulas

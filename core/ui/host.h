@@ -42,10 +42,10 @@ struct PictureAnswer {
     std::uint64_t id = 0;
     Size size{0, 0};
     // sRGB, straight alpha, row 0 on top; empty where fewer than `least` members are counted.
-    std::vector<unsigned char> rgba;
-    std::string message;  // why there is no picture; empty where there is one
-    double seconds = 0;   // that it took
-    int members = 0;      // that an averaged map has counted; 0 for other pictures
+    std::vector<unsigned char> rgba = {};
+    std::string message = {};  // why there is no picture; empty where there is one
+    double seconds = 0;        // that it took
+    int members = 0;           // that an averaged map has counted; 0 for other pictures
 };
 
 // A file to be made, as the command line makes it: a PNG that carries its scene or its plate, or a

@@ -12,7 +12,7 @@
 namespace versorium {
 
 struct NumberLook {
-    std::string_view help;            // of the number itself
+    std::string_view help = {};       // of the number itself
     double low = -2, high = 2;        // the range, unless the user gave it another
     std::optional<double> home = {};  // what reset brings back
     bool whole = false;

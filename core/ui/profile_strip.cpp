@@ -94,6 +94,10 @@ struct Plot {
         return high.y - static_cast<float>(part) * (high.y - low.y);
     }
     ImVec2 operator()(double radius, double value) const { return {x(radius), y(value)}; }
+    // The top of a row of text, from above.
+    float row(int k) const {
+        return low.y + 4 + static_cast<float>(k) * (ImGui::GetTextLineHeight() + 2);
+    }
 };
 
 void drawCurve(ImDrawList& list, const Plot& plot, const RadialProfile& profile,
@@ -133,16 +137,13 @@ void drawGrid(ImDrawList& list, const Plot& plot) {
 }
 
 // A radius beyond or within which the fate is sure.
-void drawSure(ImDrawList& list, const Plot& plot, double radius, const std::string& name,
-              float line) {
+void drawSure(ImDrawList& list, const Plot& plot, double radius, const std::string& name, int row) {
     const ImU32 colour = IM_COL32(255, 222, 110, 255);
     const float x = plot.x(radius);
     list.AddLine({x, plot.low.y}, {x, plot.high.y}, colour, 1.5f);
     const float wide = ImGui::CalcTextSize(name.c_str()).x;
     const bool right = x + wide + 8 < plot.high.x;
-    drawText(list,
-             {right ? x + 5 : x - wide - 5, plot.low.y + 4 + line * ImGui::GetTextLineHeight()},
-             colour, name);
+    drawText(list, {right ? x + 5 : x - wide - 5, plot.row(row)}, colour, name);
 }
 
 void drawKey(ImDrawList& list, ImVec2 corner, const char* name, ImU32 colour) {
@@ -281,10 +282,10 @@ void drawProfile(StudioContext& context) {
             list.AddCircleFilled(plot(radius, at(profile, *values, radius)), 4, colour);
         const std::string text = profileAt(profile, radius);
         const float wide = ImGui::CalcTextSize(text.c_str()).x;
-        drawText(list,
-                 {std::clamp(x + 8, low.x + 6, std::max(low.x + 6, high.x - wide - 6)),
-                  low.y + 4 + 2 * ImGui::GetTextLineHeight()},
-                 ImGui::GetColorU32(ImGuiCol_Text), text);
+        drawText(
+            list,
+            {std::clamp(x + 8, low.x + 6, std::max(low.x + 6, high.x - wide - 6)), plot.row(2)},
+            ImGui::GetColorU32(ImGuiCol_Text), text);
     }
     list.PopClipRect();
 }

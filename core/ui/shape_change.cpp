@@ -153,7 +153,10 @@ void showModulusAndVersor(StudioContext& context) {
     for (Scene& view : workspace.views) view = scene;
     const auto colours = [&](std::size_t view, const char* field, const char* palette) {
         Colouring& colour = workspace.views[view].colour;
-        colour = {.field = field, .palette = palette, .interior = "none"};
+        colour = {};
+        colour.field = field;
+        colour.palette = palette;
+        colour.interior = "none";
         colour.outline = info.field ? "solid" : "membership";
     };
     colours(0, "image_modulus", "blue-red");

@@ -50,9 +50,10 @@ TEST(CriticalSet, OfAPerturbedSquareIsACircle) {
         const auto found = nearestCriticalPoint(system, set, at);
         ASSERT_TRUE(found.has_value());
         EXPECT_NEAR(std::hypot((*found)[0], (*found)[1]), 0.25, 1e-12);
-        if (size > 0.1)
+        if (size > 0.1) {
             EXPECT_LT(std::hypot((*found)[0] - at[0] / size / 4, (*found)[1] - at[1] / size / 4),
                       0.016);
+        }
     }
 }
 

@@ -132,11 +132,11 @@ class Window(unittest.TestCase):
         self.assertIn("no-such-scene", err)
 
     def draw_by(self, who):
-        """Whom the studio's settings let draw live pictures."""
+        """Whom the studio's settings let draw live pictures. The file ends as editors end it."""
         folder = os.path.join(self.folder, "settings", "versorium")
         os.makedirs(folder, exist_ok=True)
         with open(os.path.join(folder, "renderer"), "w") as setting:
-            setting.write(who)
+            setting.write(who + "\n")
 
     def test_the_graphics_processor_draws_what_the_processor_draws(self):
         # The last one has pixels too close together for 32 bits: the processor takes it over.
