@@ -82,11 +82,12 @@ Status printScene(const std::string& path) {
 void addFileCommands(CommandLine& line) {
     CLI::App* shape = line.add(
         "shape", "Turn a mesh, a picture or an analytic shape into a grid of signed distances.",
-        "  versorium shape dragon.ply -o dragon.f3d --resolution 200\n"
+        "  versorium shape dragon.ply -o dragon.f3d --resolution 150\n"
         "  versorium shape bunny -o bunny.f3d\n"
         "  versorium shape \"smooth_union(0.05, sphere(0.3), box(0.1, 0.4, 0.1))\" -o s.f3d\n"
         "  versorium shape \"polygon(-0.4, -0.3, 0.4, -0.3, 0, 0.5)\" -o triangle.grid\n"
-        "The grid's box is exactly [-1/2, 1/2]^3: a mesh is centred and scaled to fit it.\n");
+        "The grid's box is exactly [-1/2, 1/2]^3: a mesh is centred and scaled to fit it. Scenes\n"
+        "take grids of up to 32 MiB, which is --resolution 161 in space.\n");
     const auto request = std::make_shared<ShapeRequest>();
     shape
         ->add_option("SHAPE", request->source,

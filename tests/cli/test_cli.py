@@ -235,6 +235,19 @@ class Results(CommandLine):
         self.assertAlmostEqual(float(table[1].split(",")[3]), math.exp(-0.1), places=12)
         self.assertAlmostEqual(float(table[2].split(",")[3]), math.exp(0.2), places=3)
 
+    def test_scenes_take_the_largest_grid_that_the_help_speaks_of(self):
+        self.assertIn("--resolution 161", self.good("shape", "--help").decode())
+        points = self.write("p.csv", "x,y,z\n0.25,0,0\n")
+        for resolution in ("161", "162"):
+            grid = self.path("s" + resolution + ".f3d")
+            self.good("shape", "sphere(0.3)", "-o", grid, "--resolution", resolution)
+            command = ("eval", "shape-modulus", "--points", points, "--set", "shape=" + grid,
+                       "--field", "image_modulus")
+            if resolution == "161":
+                self.good(*command)
+            else:
+                self.refused(INPUT_OUTPUT, *command, says="32 MiB")
+
     def motion(self, **changes):
         scene = {"map": "quadratic", "samples": 1, "iterations": 20}
         keys = [{"time": 0, "values": {"c.re": 0}}, {"time": 1, "values": {"c.re": -1}}]

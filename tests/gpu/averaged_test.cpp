@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "../render/averaged_star.h"
 #include "colour/srgb.h"
 #include "gpu/gpu_picture.h"
 #include "render/cpu/cpu_renderer.h"
@@ -17,15 +18,7 @@ constexpr Size kSize{64, 48};
 const std::vector<FieldName> kFields = {FieldName::meanMembership, FieldName::standardError};
 
 Scene star(int count) {
-    Scene scene = sceneOf(*findMap("shape-modulus-complex-rational"));
-    scene.shape.source = "star(5, 1.2, 0.6)";
-    scene.slice.height = 3.6;
-    scene.iterations = 8;
-    scene.samples = 1;
-    scene.ensemble.count = count;
-    scene.ensemble.roots.emplace();
-    scene.colour.field = "mean_membership";
-    scene.colour.interior = "none";
+    Scene scene = averagedStar(count);
     scene.colour.range = {0, 1};
     scene.colour.palette = "viridis";
     return scene;

@@ -7,23 +7,14 @@
 #include <cstring>
 
 #include "fields/ensemble.h"
+#include "render/averaged_star.h"
 #include "render/cpu/cpu_renderer.h"
 
 namespace versorium {
 namespace {
 
-// A star large enough for its middle to be a trap: some points are in every set, some in none.
 Scene starScene(int count, int seed = 1) {
-    Scene scene = sceneOf(*findMap("shape-modulus-complex-rational"));
-    scene.shape.source = "star(5, 1.2, 0.6)";
-    scene.slice.height = 3.6;
-    scene.iterations = 8;
-    scene.samples = 1;
-    scene.ensemble.count = count;
-    scene.ensemble.seed = seed;
-    scene.ensemble.roots.emplace();
-    scene.colour.field = "mean_membership";
-    scene.colour.interior = "none";
+    Scene scene = averagedStar(count, seed);
     scene.colour.contours = {0.25, 0.5, 0.75};
     return scene;
 }

@@ -4,24 +4,12 @@
 
 #include <deque>
 
+#include "render/averaged_star.h"
 #include "ui/headless_gui.h"
 #include "ui/picture_worker.h"
 
 namespace versorium {
 namespace {
-
-Scene star(int count) {
-    Scene scene = sceneOf(*findMap("shape-modulus-complex-rational"));
-    scene.shape.source = "star(5, 1.2, 0.6)";
-    scene.slice.height = 3.6;
-    scene.iterations = 8;
-    scene.samples = 1;
-    scene.ensemble.count = count;
-    scene.ensemble.roots.emplace();
-    scene.colour.field = "mean_membership";
-    scene.colour.interior = "none";
-    return scene;
-}
 
 constexpr Size kSize{60, 44};
 
@@ -44,7 +32,7 @@ PictureRequest requestFor(const Scene& scene, double portion, int least = 0) {
 }
 
 TEST(AveragedPictures, PortionByPortionAreThoseOfOneGo) {
-    const Scene scene = star(24);
+    const Scene scene = averagedStar(24);
     PictureMaker maker;
     Job job(2);
     int members = 0, portions = 0;
@@ -64,7 +52,7 @@ TEST(AveragedPictures, PortionByPortionAreThoseOfOneGo) {
 }
 
 TEST(AveragedPictures, OtherColoursCountNothingAndMoreMembersGoOn) {
-    Scene scene = star(20);
+    Scene scene = averagedStar(20);
     PictureMaker maker;
     Job job(1);
     EXPECT_EQ(computePicture(maker, requestFor(scene, 100), job).members, 20);
@@ -86,7 +74,7 @@ TEST(AveragedPictures, OtherColoursCountNothingAndMoreMembersGoOn) {
 }
 
 TEST(AveragedPictures, WithFewerMembersThanShownComeWithoutPixels) {
-    const Scene scene = star(20);
+    const Scene scene = averagedStar(20);
     PictureMaker maker;
     Job job(1);
     PictureAnswer answer = computePicture(maker, requestFor(scene, 1e-9, 2), job);
@@ -98,7 +86,7 @@ TEST(AveragedPictures, WithFewerMembersThanShownComeWithoutPixels) {
 }
 
 TEST(AveragedPictures, CancelledKeepWhatTheyHad) {
-    const Scene scene = star(20);
+    const Scene scene = averagedStar(20);
     PictureMaker maker;
     Job job(1), cancelled(1);
     EXPECT_EQ(computePicture(maker, requestFor(scene, 1e-9), job).members, 1);
@@ -151,7 +139,7 @@ struct View {
 
 TEST(AveragedPictures, ALiveOneSharpensToTheEnd) {
     View view;
-    Scene scene = star(200);
+    Scene scene = averagedStar(200);
     const std::vector<int> members = view.watch(scene);
     ASSERT_TRUE(view.picture.finished());
     EXPECT_GT(members.size(), 2u);
@@ -171,7 +159,7 @@ TEST(AveragedPictures, ALiveOneSharpensToTheEnd) {
 
 TEST(AveragedPictures, ALiveOneAsksOnceForOtherColours) {
     View view;
-    Scene scene = star(50);
+    Scene scene = averagedStar(50);
     view.watch(scene);
     ASSERT_TRUE(view.picture.finished());
     const std::size_t before = view.host.pictures.size();
@@ -185,7 +173,7 @@ TEST(AveragedPictures, ALiveOneAsksOnceForOtherColours) {
 
 TEST(AveragedPictures, SeveralSamplesAreCountedBehindThePictureThatIsShown) {
     View view;
-    Scene scene = star(40);
+    Scene scene = averagedStar(40);
     scene.samples = 2;
     view.watch(scene);
     ASSERT_TRUE(view.picture.finished());

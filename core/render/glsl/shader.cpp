@@ -201,39 +201,46 @@ void main() {
 }
 )";
 
-// One draw of the iteration: a number of steps from where the last draw ended. uNumbers holds each
-// number of an orbit at the middle of the picture, and what it grows by from pixel to pixel to the
-// right and up. Comparisons with NaN are what optimisers get wrong, so its bits are looked at.
-constexpr const char* kIteration = R"(
+// What the iteration and the counting begin with. uNumbers holds each number of an orbit at the
+// middle of the picture, and what it grows by from pixel to pixel to the right and up. Comparisons
+// with NaN are what optimisers get wrong, so its bits are looked at.
+constexpr const char* kOrbit = R"(
 uniform vec4 uNumbers[COUNT];
 uniform vec2 uSize;
 uniform int uIterations;
-uniform int uSteps;
 uniform bool uFirst;
 uniform bool uBounded;
 uniform float uSquaredRadius;
 uniform sampler2D uFields;
-uniform sampler2D uState;
 
 layout(location = 0) out vec4 outFields;
 layout(location = 1) out vec4 outState;
 layout(location = 2) out vec4 outImage;
 
+bool isUndefined(float x) {
+    return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
+}
 bool within(float norm) {
-    bool undefinedNorm = (floatBitsToUint(norm) & 0x7fffffffu) > 0x7f800000u;
-    return !undefinedNorm && (!uBounded || norm <= uSquaredRadius);
+    return !isUndefined(norm) && (!uBounded || norm <= uSquaredRadius);
 }
 float squaredNorm(float state[D]) {
     float sum = 0.0;
     for (int k = 0; k < D; ++k) sum += state[k] * state[k];
     return sum;
 }
+float number(int k, vec2 at) {
+    return uNumbers[k].x + at.x * uNumbers[k].y + at.y * uNumbers[k].z;
+}
+)";
+
+// One draw of the iteration: a number of steps from where the last draw ended.
+constexpr const char* kIteration = R"(
+uniform int uSteps;
+uniform sampler2D uState;
+
 vec4 packed4(float state[D]) {
     return vec4(state[0], D > 1 ? state[min(1, D - 1)] : 0.0, D > 2 ? state[min(2, D - 1)] : 0.0,
                 D > 3 ? state[D - 1] : 0.0);
-}
-float number(int k, vec2 at) {
-    return uNumbers[k].x + at.x * uNumbers[k].y + at.y * uNumbers[k].z;
 }
 void main() {
     vec2 at = gl_FragCoord.xy - 0.5 * uSize;
@@ -282,39 +289,16 @@ void main() {
 
 // FIRST_ROW is that of the first member in uRoots.
 constexpr const char* kCounting = R"(
-uniform vec4 uNumbers[COUNT];
-uniform vec2 uSize;
-uniform int uIterations;
 uniform int uMember;
 uniform int uMembers;
-uniform bool uFirst;
-uniform bool uBounded;
-uniform float uSquaredRadius;
 uniform float uSquaredCapture;
 uniform bool uSolid;
 uniform float uSquaredSolid;
-uniform sampler2D uFields;
 
-layout(location = 0) out vec4 outFields;
-layout(location = 1) out vec4 outState;
-layout(location = 2) out vec4 outImage;
-
-bool isUndefined(float x) {
-    return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
-}
-bool within(float norm) {
-    return !isUndefined(norm) && (!uBounded || norm <= uSquaredRadius);
-}
-float squaredNorm(float state[D]) {
-    float sum = 0.0;
-    for (int k = 0; k < D; ++k) sum += state[k] * state[k];
-    return sum;
-}
 void main() {
     vec2 at = gl_FragCoord.xy - 0.5 * uSize;
     float numbers[COUNT];
-    for (int k = 0; k < COUNT; ++k)
-        numbers[k] = uNumbers[k].x + at.x * uNumbers[k].y + at.y * uNumbers[k].z;
+    for (int k = 0; k < COUNT; ++k) numbers[k] = number(k, at);
     float count = uFirst ? 0.0 : texelFetch(uFields, ivec2(gl_FragCoord.xy), 0).x;
     for (int m = 0; m < uMembers; ++m) {
         memberRow = FIRST_ROW + 3 * (uMember + m);
@@ -374,14 +358,14 @@ std::string sizesOf(const Tape& tape) {
 std::string iterationShader(const Tape& tape, const Tape* shape, double attraction) {
     return kShaderHead + sizesOf(tape) + "#define ATTRACTION " + glslFloat(attraction) + "\n" +
            kLibrary + kLists + (shape ? shapeField(*shape) : std::string(kGridField)) +
-           glslStep(tape) + kIteration;
+           glslStep(tape) + kOrbit + kIteration;
 }
 
 std::string countingShader(const Tape& tape, const Tape* shape, int drawn) {
     return kShaderHead + sizesOf(tape) + "#define DRAWN " + std::to_string(drawn) +
            "\n#define FIRST_ROW " + std::to_string(2 * kMostLists) + "\n" + kLibrary +
            kMemberLists + (shape ? shapeField(*shape) : std::string(kGridField)) + glslStep(tape) +
-           kCounting;
+           kOrbit + kCounting;
 }
 
 std::string escapeShader(const Tape& tape) {
