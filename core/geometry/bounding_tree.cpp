@@ -6,15 +6,15 @@
 
 namespace versorium {
 
-BoundingTree::BoundingTree(std::span<const Box> boxes, std::uint32_t leafSize) {
+BoundingTree::BoundingTree(std::span<const BoundingBox> boxes, std::uint32_t leafSize) {
     order_.resize(boxes.size());
     std::iota(order_.begin(), order_.end(), 0u);
     if (!boxes.empty())
         build(boxes, 0, static_cast<std::uint32_t>(boxes.size()), std::max(leafSize, 1u));
 }
 
-void BoundingTree::build(std::span<const Box> boxes, std::uint32_t first, std::uint32_t count,
-                         std::uint32_t leafSize) {
+void BoundingTree::build(std::span<const BoundingBox> boxes, std::uint32_t first,
+                         std::uint32_t count, std::uint32_t leafSize) {
     const std::size_t self = nodes_.size();
     Node node;
     node.first = first;

@@ -15,7 +15,7 @@
 
 namespace versorium {
 
-struct Box {
+struct BoundingBox {
     glm::dvec3 low{std::numeric_limits<double>::infinity()};
     glm::dvec3 high{-std::numeric_limits<double>::infinity()};
 
@@ -23,7 +23,7 @@ struct Box {
         low = glm::min(low, point);
         high = glm::max(high, point);
     }
-    void include(const Box& other) {
+    void include(const BoundingBox& other) {
         low = glm::min(low, other.low);
         high = glm::max(high, other.high);
     }
@@ -37,7 +37,7 @@ struct Box {
 class BoundingTree {
   public:
     struct Node {
-        Box box;
+        BoundingBox box;
         // The node holds the items order()[first] … order()[first + count - 1].
         std::uint32_t first = 0;
         std::uint32_t count = 0;
@@ -47,7 +47,7 @@ class BoundingTree {
     static constexpr int kDepth = 64;  // more than halving 2^32 items needs
 
     BoundingTree() = default;
-    explicit BoundingTree(std::span<const Box> boxes, std::uint32_t leafSize = 4);
+    explicit BoundingTree(std::span<const BoundingBox> boxes, std::uint32_t leafSize = 4);
 
     bool empty() const { return nodes_.empty(); }
     // Every node stands before its children.
@@ -87,7 +87,7 @@ class BoundingTree {
     }
 
   private:
-    void build(std::span<const Box> boxes, std::uint32_t first, std::uint32_t count,
+    void build(std::span<const BoundingBox> boxes, std::uint32_t first, std::uint32_t count,
                std::uint32_t leafSize);
 
     std::vector<Node> nodes_;

@@ -71,9 +71,9 @@ class Reader {
     Status readAll() {
         int line = 1;
         if (Status status = readFront(line); !status.ok()) return status;
-        Expected<std::vector<TextBlock>> blocks = parseMarkdown(text_, line);
+        Expected<std::vector<MarkdownBlock>> blocks = parseMarkdown(text_, line);
         if (!blocks) return blocks.status();
-        for (TextBlock& block : *blocks)
+        for (MarkdownBlock& block : *blocks)
             if (Status status = take(std::move(block)); !status.ok()) return status;
         if (lesson_.steps.empty())
             return Status::data("there are no steps: each begins with \"## \" and its title");
@@ -121,8 +121,8 @@ class Reader {
 
     LessonStep& step() { return lesson_.steps.back(); }
 
-    Status take(TextBlock block) {
-        if (block.kind == TextBlock::Kind::heading) {
+    Status take(MarkdownBlock block) {
+        if (block.kind == MarkdownBlock::Kind::heading) {
             if (block.level != 2)
                 return Status::data(at(block.line) + "a step begins with \"## \" and its title");
             if (!lesson_.steps.empty())
@@ -139,14 +139,14 @@ class Reader {
         }
         if (lesson_.steps.empty())
             return Status::data(at(block.line) + "text stands before the first step (\"## …\")");
-        if (block.kind != TextBlock::Kind::fence) {
+        if (block.kind != MarkdownBlock::Kind::fence) {
             step().prose.push_back(std::move(block));
             return {};
         }
         return takeFence(block);
     }
 
-    Status takeFence(const TextBlock& block) {
+    Status takeFence(const MarkdownBlock& block) {
         const std::string kind = trimmed(block.info);
         // The lines of a fence begin below its own.
         const int first = block.line + 1;
@@ -175,10 +175,10 @@ class Reader {
             return {};
         }
         if (kind == "reveal" || kind == "hint" || kind == "note") {
-            Expected<std::vector<TextBlock>> blocks = parseMarkdown(block.text, first);
+            Expected<std::vector<MarkdownBlock>> blocks = parseMarkdown(block.text, first);
             if (!blocks) return blocks.status();
-            for (const TextBlock& inner : *blocks)
-                if (inner.kind == TextBlock::Kind::fence)
+            for (const MarkdownBlock& inner : *blocks)
+                if (inner.kind == MarkdownBlock::Kind::fence)
                     return Status::data(at(inner.line) + "a " + kind + " holds text alone");
             if (kind == "reveal") {
                 step().reveal = std::move(*blocks);

@@ -57,17 +57,17 @@ struct Goal {
 struct LessonStep {
     std::string title;
     int line = 0;
-    std::vector<TextBlock> prose;
+    std::vector<MarkdownBlock> prose;
     Workspace stage;  // the teacher's state
     // Ids of the controls that are open to the learner (ui/controls.h); all where there are none.
     std::vector<std::string> controls;
     std::optional<Question> question;
     std::optional<Goal> goal;
     std::optional<Workspace> solution;  // in which the goal is reached
-    std::vector<TextBlock> reveal;      // shown beside the answer once that is committed
+    std::vector<MarkdownBlock> reveal;  // shown beside the answer once that is committed
     std::optional<Workspace> revealStage;
-    std::vector<std::vector<TextBlock>> hints;
-    std::vector<std::vector<TextBlock>> notes;  // for teachers
+    std::vector<std::vector<MarkdownBlock>> hints;
+    std::vector<std::vector<MarkdownBlock>> notes;  // for teachers
 };
 
 struct Lesson {

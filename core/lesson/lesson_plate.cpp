@@ -7,11 +7,11 @@
 namespace versorium {
 namespace {
 
-std::string markupOf(const std::vector<TextBlock>& blocks) {
+std::string markupOf(const std::vector<MarkdownBlock>& blocks) {
     std::string text;
-    for (const TextBlock& block : blocks) {
+    for (const MarkdownBlock& block : blocks) {
         if (!text.empty()) text += " ";
-        if (block.kind == TextBlock::Kind::item)
+        if (block.kind == MarkdownBlock::Kind::item)
             text += block.number > 0 ? "(" + std::to_string(block.number) + ") " : "· ";
         for (const TextRun& run : block.runs) {
             const std::string plain = escapeMarkup(run.text);

@@ -16,7 +16,7 @@ class Collector {
   public:
     Collector(std::string_view text, int firstLine) : text_(text), firstLine_(firstLine) {}
 
-    std::vector<TextBlock> blocks;
+    std::vector<MarkdownBlock> blocks;
     Status status;
 
     int enterBlock(MD_BLOCKTYPE type, void* detail) {
@@ -24,10 +24,10 @@ class Collector {
             case MD_BLOCK_DOC:
                 return 0;
             case MD_BLOCK_H:
-                return open({TextBlock::Kind::heading, 0,
+                return open({MarkdownBlock::Kind::heading, 0,
                              static_cast<int>(static_cast<MD_BLOCK_H_DETAIL*>(detail)->level)});
             case MD_BLOCK_P:
-                if (lists_.empty()) return open({TextBlock::Kind::paragraph});
+                if (lists_.empty()) return open({MarkdownBlock::Kind::paragraph});
                 // A second paragraph of an item goes on in it.
                 return 0;
             case MD_BLOCK_UL:
@@ -40,13 +40,13 @@ class Collector {
                     return fault("lists are nested too deeply");
                 return 0;
             case MD_BLOCK_LI: {
-                TextBlock item{TextBlock::Kind::item, 0, static_cast<int>(lists_.size())};
+                MarkdownBlock item{MarkdownBlock::Kind::item, 0, static_cast<int>(lists_.size())};
                 if (lists_.back() >= 0) item.number = lists_.back()++;
                 return open(std::move(item));
             }
             case MD_BLOCK_CODE: {
                 const auto& code = *static_cast<MD_BLOCK_CODE_DETAIL*>(detail);
-                if (open({TextBlock::Kind::fence}) != 0) return 1;
+                if (open({MarkdownBlock::Kind::fence}) != 0) return 1;
                 note(code.info.text);
                 if (code.info.text) blocks.back().info.assign(code.info.text, code.info.size);
                 return 0;
@@ -94,8 +94,8 @@ class Collector {
         if (type == MD_TEXT_BR || type == MD_TEXT_SOFTBR) piece = " ";
         if (type == MD_TEXT_NULLCHAR) return fault("a zero byte");
         if (type == MD_TEXT_ENTITY) return fault("\"" + piece + "\": write the character itself");
-        TextBlock& block = blocks.back();
-        if (block.kind == TextBlock::Kind::fence) {
+        MarkdownBlock& block = blocks.back();
+        if (block.kind == MarkdownBlock::Kind::fence) {
             block.text += piece;
             return 0;
         }
@@ -116,7 +116,7 @@ class Collector {
     std::vector<int> lists_;
     int emphasis_ = 0, strong_ = 0, code_ = 0;
 
-    int open(TextBlock block) {
+    int open(MarkdownBlock block) {
         if (blocks.size() >= kMarkdownBlocks) return fault("the text is too long");
         blocks.push_back(std::move(block));
         return 0;
@@ -138,7 +138,7 @@ class Collector {
 
 }  // namespace
 
-Expected<std::vector<TextBlock>> parseMarkdown(std::string_view text, int firstLine) {
+Expected<std::vector<MarkdownBlock>> parseMarkdown(std::string_view text, int firstLine) {
     if (text.size() > kMarkdownBytes)
         return Status::data("the text has more than " + std::to_string(kMarkdownBytes) + " bytes");
     Collector collector(text, firstLine);
@@ -163,22 +163,22 @@ Expected<std::vector<TextBlock>> parseMarkdown(std::string_view text, int firstL
         md_parse(text.data(), static_cast<MD_SIZE>(text.size()), &parser, &collector);
     if (!collector.status.ok()) return collector.status;
     if (failed != 0) return Status::data("the text cannot be read as Markdown");
-    for (TextBlock& block : collector.blocks)
+    for (MarkdownBlock& block : collector.blocks)
         while (!block.runs.empty() && block.runs.back().text == " ") block.runs.pop_back();
     return std::move(collector.blocks);
 }
 
-std::string plainText(const TextBlock& block) {
+std::string plainText(const MarkdownBlock& block) {
     std::string text;
     for (const TextRun& run : block.runs) text += run.text;
     return text;
 }
 
-std::string plainText(const std::vector<TextBlock>& blocks) {
+std::string plainText(const std::vector<MarkdownBlock>& blocks) {
     std::string text;
-    for (const TextBlock& block : blocks) {
+    for (const MarkdownBlock& block : blocks) {
         if (!text.empty()) text += "\n";
-        if (block.kind == TextBlock::Kind::item)
+        if (block.kind == MarkdownBlock::Kind::item)
             text += block.number > 0 ? std::to_string(block.number) + ". " : "• ";
         text += plainText(block);
     }

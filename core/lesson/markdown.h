@@ -22,7 +22,7 @@ struct TextRun {
     friend bool operator==(const TextRun&, const TextRun&) = default;
 };
 
-struct TextBlock {
+struct MarkdownBlock {
     enum class Kind { heading, paragraph, item, fence };
     Kind kind = Kind::paragraph;
     int line = 0;    // in the file, from 1; 0 where that is not known
@@ -30,14 +30,14 @@ struct TextBlock {
     int number = 0;  // of an item of a numbered list from 1, else 0
     std::vector<TextRun> runs = {};
     std::string info = {}, text = {};  // of a fence: the words behind ```, and its lines
-    friend bool operator==(const TextBlock&, const TextBlock&) = default;
+    friend bool operator==(const MarkdownBlock&, const MarkdownBlock&) = default;
 };
 
 // `firstLine` is the line of the file at which `text` begins.
-Expected<std::vector<TextBlock>> parseMarkdown(std::string_view text, int firstLine = 1);
+Expected<std::vector<MarkdownBlock>> parseMarkdown(std::string_view text, int firstLine = 1);
 
 // The words alone.
-std::string plainText(const TextBlock& block);
-std::string plainText(const std::vector<TextBlock>& blocks);
+std::string plainText(const MarkdownBlock& block);
+std::string plainText(const std::vector<MarkdownBlock>& blocks);
 
 }  // namespace versorium

@@ -29,7 +29,7 @@ Status checkOptions(const MeshDistanceOptions& options) {
 Status placeMesh(const Mesh& mesh, const MeshDistanceOptions& options, MeshDistance& result) {
     if (mesh.triangles.empty() || mesh.vertices.empty())
         return Status::data("the mesh has no triangles; a surface of triangles is needed");
-    Box box;
+    BoundingBox box;
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
         const glm::dvec3& vertex = mesh.vertices[i];
         if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y) || !std::isfinite(vertex.z))

@@ -83,14 +83,14 @@ Expected<MeshField> MeshField::make(const Mesh& mesh) {
 
 void MeshField::gatherTriangles(const Mesh& mesh) {
     std::vector<Triangle> kept;
-    std::vector<Box> boxes;
+    std::vector<BoundingBox> boxes;
     for (const auto& triangle : mesh.triangles) {
         const glm::dvec3 a = mesh.vertices[triangle[0]];
         const glm::dvec3 b = mesh.vertices[triangle[turned_ ? 2 : 1]];
         const glm::dvec3 c = mesh.vertices[triangle[turned_ ? 1 : 2]];
         const glm::dvec3 normal = glm::cross(b - a, c - a);
         if (!(glm::dot(normal, normal) > kLeastSquaredArea)) continue;
-        Box box;
+        BoundingBox box;
         for (const glm::dvec3& corner : {a, b, c}) box.include(corner);
         kept.emplace_back(a, b, c);
         boxes.push_back(box);
@@ -113,7 +113,7 @@ void MeshField::gatherBoundary(const Mesh& mesh) {
             if (a != b) sides.push_back({{std::min(a, b), std::max(a, b)}, a < b ? 1 : -1});
         }
     std::sort(sides.begin(), sides.end());
-    std::vector<Box> boxes;
+    std::vector<BoundingBox> boxes;
     std::vector<Segment> segments;
     for (std::size_t i = 0; i < sides.size();) {
         const Edge edge = sides[i].first;

@@ -87,7 +87,7 @@ Expected<Grid> polygonDistance(const Polygon& polygon, const PolygonDistanceOpti
     if (const Status status = checkOptions(options); !status.ok()) return status;
     const Expected<std::vector<Side>> sides = gatherSides(polygon);
     if (!sides) return sides.status();
-    std::vector<Box> boxes(sides->size());
+    std::vector<BoundingBox> boxes(sides->size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         boxes[i].include((*sides)[i].start);
         boxes[i].include((*sides)[i].start + (*sides)[i].span);

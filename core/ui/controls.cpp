@@ -300,7 +300,7 @@ void collectWindow(StudioContext& context, ControlList& all) {
     all.toggle("maximised", "only the marked view", workspace.maximised,
                [c](bool on) { c->workspace.maximised = on; });
     std::vector<std::string> names;
-    for (const Theme& theme : themes()) names.push_back(theme.name);
+    for (const StudioTheme& theme : themes()) names.push_back(theme.name);
     all.choice("theme", "theme", names[context.theme], names, [c, names](const std::string& name) {
         c->theme =
             static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());

@@ -271,7 +271,7 @@ Studio::Studio(Host& host) : state_(new State(host)) {
 Studio::~Studio() = default;
 
 void Studio::prepare(float scale) {
-    const Theme& theme = themes()[state_->context.theme];
+    const StudioTheme& theme = themes()[state_->context.theme];
     state_->context.scale = scale;
     state_->context.fontsChanged = false;
     applyTheme(theme, scale);

@@ -32,8 +32,8 @@ constexpr ImWchar kLetters[] = {0x20,   0x17f,  0x2c6,  0x2c6,  0x302,  0x307,  
 
 }  // namespace
 
-const std::vector<Theme>& themes() {
-    static const std::vector<Theme> all = {
+const std::vector<StudioTheme>& themes() {
+    static const std::vector<StudioTheme> all = {
         {"dark", rgb(0x0f1115), rgb(0x14171d), rgb(0x262b34), rgb(0xe7e9ee), rgb(0x9aa3b2),
          rgb(0x69d2c3), 15},
         {"light", rgb(0xf2f3f5), rgb(0xffffff), rgb(0xcdd2da), rgb(0x16181d), rgb(0x525a67),
@@ -44,7 +44,7 @@ const std::vector<Theme>& themes() {
     return all;
 }
 
-void applyTheme(const Theme& theme, float scale) {
+void applyTheme(const StudioTheme& theme, float scale) {
     ImGuiStyle style;
     style.WindowRounding = 0;
     style.ChildRounding = style.FrameRounding = style.GrabRounding = style.PopupRounding = 6;
@@ -89,7 +89,7 @@ void applyTheme(const Theme& theme, float scale) {
     ImGui::GetStyle() = style;
 }
 
-void loadFonts(const Theme& theme, float scale) {
+void loadFonts(const StudioTheme& theme, float scale) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
     const auto bytes = embedded("fonts/DejaVuSans.ttf");

@@ -9,16 +9,16 @@
 
 namespace versorium {
 
-struct Theme {
+struct StudioTheme {
     std::string name;
     ImU32 background, panel, line, text, secondary, accent;
     float fontSize;  // in pixels at scale 1
 };
 
-const std::vector<Theme>& themes();  // dark, light, projector
-void applyTheme(const Theme& theme, float scale);
+const std::vector<StudioTheme>& themes();  // dark, light, projector
+void applyTheme(const StudioTheme& theme, float scale);
 // Letters from the fonts that the core carries: Latin, Greek, arrows, operators, double-struck.
-void loadFonts(const Theme& theme, float scale);
+void loadFonts(const StudioTheme& theme, float scale);
 
 // Four pins: colours that colour-blind eyes tell apart, each with a shape of its own.
 enum class MarkShape { ring, square, triangle, diamond };

@@ -200,7 +200,7 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
     state.picture.work(context.host, budget / static_cast<double>(shown));
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const Theme& theme = themes()[context.theme];
+    const StudioTheme& theme = themes()[context.theme];
     list.AddRectFilled(low, high, IM_COL32(10, 11, 15, 255));
     state.picture.draw(list, low, high);
     list.PushClipRect(low, high, true);
