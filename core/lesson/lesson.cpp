@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/embedded.h"
+#include "base/text.h"
 #include "lesson/observables.h"
 #include "lesson/stage.h"
 
@@ -13,12 +14,6 @@ namespace versorium {
 namespace {
 
 std::string at(int line) { return "line " + std::to_string(line) + ": "; }
-
-std::string trimmed(const std::string& text) {
-    const auto first = text.find_first_not_of(" \t\r\n");
-    if (first == std::string::npos) return "";
-    return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
 
 std::vector<std::string> split(const std::string& text) {
     std::vector<std::string> words;

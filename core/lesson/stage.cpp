@@ -8,14 +8,10 @@
 #include <functional>
 #include <optional>
 
+#include "base/text.h"
+
 namespace versorium {
 namespace {
-
-std::string trimmed(const std::string& text) {
-    const auto first = text.find_first_not_of(" \t\r");
-    if (first == std::string::npos) return "";
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 // A number at `at` with the sign before it; moves `at` behind it.
 std::optional<double> numberAt(const std::string& text, std::size_t& at) {

@@ -178,19 +178,12 @@ Status checkEnsemble(const Scene& scene) {
     return {};
 }
 
-bool isOnAxis(const Scene& scene, const std::string& name) {
-    for (const SliceAxis& axis : scene.slice.axes)
-        for (const auto& [term, weight] : axis.terms)
-            if (term == name) return true;
-    return false;
-}
-
 void keepEnsembleFitting(Scene& scene) {
     EnsembleSpec& ensemble = scene.ensemble;
     std::erase_if(ensemble.ranges,
-                  [&](const EnsembleRange& range) { return isOnAxis(scene, range.name); });
+                  [&](const EnsembleRange& range) { return isOnAxis(scene.slice, range.name); });
     std::erase_if(ensemble.discs, [&](const EnsembleDisc& disc) {
-        return isOnAxis(scene, disc.name + ".re") || isOnAxis(scene, disc.name + ".im");
+        return isOnAxis(scene.slice, disc.name + ".re") || isOnAxis(scene.slice, disc.name + ".im");
     });
     if (!checkEnsemble(scene).ok()) ensemble.roots.reset();
 }

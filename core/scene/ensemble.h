@@ -54,8 +54,6 @@ void readEnsemble(ObjectReader& scene, EnsembleSpec& ensemble);
 Json ensembleToJson(const EnsembleSpec& ensemble);
 // That the names are those of numbers of the scene which nothing else sets.
 Status checkEnsemble(const Scene& scene);
-// Whether a number varies along an axis of the picture.
-bool isOnAxis(const Scene& scene, const std::string& name);
 // What came to lie on an axis of the picture is drawn no longer.
 void keepEnsembleFitting(Scene& scene);
 

@@ -88,6 +88,13 @@ void setNumber(Scene& scene, const NumberRef& number, double value) {
     }
 }
 
+bool isOnAxis(const SliceSpec& slice, const std::string& name) {
+    for (const SliceAxis& axis : slice.axes)
+        for (const auto& [term, weight] : axis.terms)
+            if (term == name) return true;
+    return false;
+}
+
 std::string numberNames(const Scene& scene) {
     const MapKernels& map = mapOf(scene);
     std::string all;

@@ -100,6 +100,22 @@ struct Declaration {
     double low = 0, high = 0;
 };
 
+struct Statement {
+    std::string head;  // z, q, x, y, or empty
+    std::size_t position = 0;
+    Expression expression;
+};
+
+// A text that is a formula by its form.
+struct ParsedFormula {
+    std::vector<Statement> statements;  // one or two
+    std::vector<Declaration> declarations;
+    std::vector<std::string> names;  // in the order in which they stand
+    std::size_t characters = 0;
+};
+// False with the fault where the text is none.
+bool parseText(std::string_view text, ParsedFormula& parsed, FormulaFault& fault);
+
 // Records the expressions of a formula on its tape, and finds what its critical points follow from.
 // False with the fault where the types do not fit. Needs space and parameters.
 bool recordFormula(const std::vector<Expression>& components, Formula& formula,

@@ -29,7 +29,7 @@ bool isDrawn(const EnsembleSpec& ensemble, const std::string& name) {
 }
 
 bool isFree(const Scene& scene, const std::string& name) {
-    return !isOnAxis(scene, name) && !isDrawn(scene.ensemble, name);
+    return !isOnAxis(scene.slice, name) && !isDrawn(scene.ensemble, name);
 }
 
 double numberOf(const Scene& scene, const std::string& name) {

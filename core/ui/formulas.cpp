@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "ui/context.h"
 
 namespace versorium {
@@ -10,12 +11,6 @@ namespace {
 
 constexpr const char* kStored = "formulas";
 constexpr const char* kFirst = "z^2 + c";
-
-std::string trimmed(const std::string& text) {
-    const std::size_t first = text.find_first_not_of(" \t\n\r");
-    if (first == std::string::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\n\r") - first + 1);
-}
 
 // What the old scene has and the new formula takes as well.
 void keepWhatFits(Scene& scene, const Scene& old) {

@@ -29,13 +29,6 @@ bool isState(const Scene& scene, const std::string& name) {
     return number && number->kind == NumberKind::state;
 }
 
-bool isOn(const SliceSpec& slice, const std::string& name) {
-    for (const SliceAxis& axis : slice.axes)
-        for (const auto& [term, weight] : axis.terms)
-            if (term == name) return true;
-    return false;
-}
-
 double originOf(const SliceSpec& slice, const std::string& name) {
     const auto found = slice.origin.find(name);
     return found == slice.origin.end() ? 0 : found->second;
@@ -209,7 +202,7 @@ void setSharedNumber(Workspace& workspace, const std::string& name, double value
         workspace.point[static_cast<std::size_t>(number->index)] = value;
     else if (name == kAsPrinted)
         return setNumber(workspace.view(), *number, value);
-    else if (workspace.analysis() && isOn(workspace.views[0].slice, name))
+    else if (workspace.analysis() && isOnAxis(workspace.views[0].slice, name))
         return setNumber(workspace.views[workspace.speaker()], *number, value);
     for (Scene& scene : workspace.views) setNumber(scene, *number, value);
 }
@@ -397,7 +390,7 @@ void makeAxis(Workspace& workspace, std::size_t axis, const std::string& name) {
     if (!workspace.analysis()) return;
     const SliceSpec& slice = workspace.views[0].slice;
     for (const std::string& other : axisNames(workspace.views[0]))
-        if (!isState(workspace.views[0], other) && !isOn(slice, other))
+        if (!isState(workspace.views[0], other) && !isOnAxis(slice, other))
             setSharedNumber(workspace, other, sharedNumber(workspace, other));
 }
 
