@@ -69,9 +69,11 @@ Json* memberAt(Json& json, const std::string& path) {
     return nullptr;
 }
 
-// A list of one number may be written without brackets.
+// A list of one number may be written without brackets; an object stands for itself ("start:
+// {"critical": 0}").
 Json suited(Json value, const Json& present) {
-    if (present.is_array() && !value.is_array()) return Json::array({std::move(value)});
+    if (present.is_array() && !value.is_array() && !value.is_object())
+        return Json::array({std::move(value)});
     return value;
 }
 
