@@ -145,7 +145,8 @@ double endOfOrbit(const Workspace& workspace, std::size_t component) {
     const std::optional<OrbitProgram> program = bound(scene);
     if (!program) return kUnknown;
     const int steps = std::min(scene.iterations, kMostEndSteps);
-    const std::vector<std::vector<double>> orbit = orbitOf(*program, middleOf(scene).data(), steps);
+    const std::vector<std::vector<double>> orbit =
+        orbitOf(*program, scene.slice.centre.data(), steps);
     const bool whole = static_cast<int>(orbit.size()) == steps + 1;
     return whole && component < orbit.back().size() ? orbit.back()[component] : kUnknown;
 }

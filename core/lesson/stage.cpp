@@ -218,7 +218,7 @@ class Change {
             return Status::data("the map \"" + now_.views[0].map + "\" has no such list");
         const auto width = static_cast<std::size_t>(std::max(2, mapOf(now_.views[0]).dimension));
         RootList list;
-        for (std::size_t begin = 0; begin <= value.size();) {
+        for (std::size_t begin = 0; begin <= value.size() && value != "none";) {
             const std::size_t end = std::min(value.find(';', begin), value.size());
             std::string item = trimmed(value.substr(begin, end - begin));
             std::replace(item.begin(), item.end(), ' ', ',');
