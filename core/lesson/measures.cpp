@@ -108,6 +108,12 @@ std::optional<PlaneField> planeField(const Scene& scene) {
     return field;
 }
 
+const EnsembleSpec* ensembleOf(const Workspace& workspace) {
+    for (const Scene& scene : workspace.views)
+        if (scene.ensemble.varies()) return &scene.ensemble;
+    return nullptr;
+}
+
 // Cells of the first view of starts: in the set, in the shape, in both, in either.
 struct Cover {
     double set = 0, shape = 0, both = 0, either = 0;
@@ -210,12 +216,16 @@ double cornersOfShape(const Workspace& workspace) {
     return corners ? static_cast<double>(corners->size()) : 0;
 }
 
+double membersCounted(const Workspace& workspace) {
+    const EnsembleSpec* ensemble = ensembleOf(workspace);
+    return ensemble ? ensemble->count : 0;
+}
+
 double memberShareAtStart(const Workspace& workspace) {
-    const auto view = std::find_if(workspace.views.begin(), workspace.views.end(),
-                                   [](const Scene& scene) { return scene.ensemble.varies(); });
-    if (view == workspace.views.end()) return kUnknown;
+    const EnsembleSpec* ensemble = ensembleOf(workspace);
+    if (!ensemble) return kUnknown;
     Scene scene = orbitScene(workspace);
-    scene.ensemble = view->ensemble;
+    scene.ensemble = *ensemble;
     scene.ensemble.count = std::min(scene.ensemble.count, kMostMeasuredMembers);
     return measure(scene, FieldName::meanMembership);
 }

@@ -35,7 +35,9 @@ double captureRadius(const Workspace& workspace);
 // Corners of a shape that is an outline, else 0.
 double cornersOfShape(const Workspace& workspace);
 
-// Of an ensemble: the part of its members whose set holds the orbit's start.
+// Of the first view's ensemble that varies: how many members it has, and the part of them whose set
+// holds the orbit's start.
+double membersCounted(const Workspace& workspace);
 double memberShareAtStart(const Workspace& workspace);
 
 // Circles all of whose points stay, none of whose points stay, and the others. Of complex maps.

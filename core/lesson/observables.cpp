@@ -60,6 +60,7 @@ const std::vector<Observable>& observables() {
         {"mean_phi", meanDistanceAround},
         {"capture_radius", captureRadius},
         {"mean_membership", memberShareAtStart},
+        {"members", membersCounted},
         {"circles", [](W w) { return static_cast<double>(w.circles.size()); }},
         {"circles_captured", [](W w) { return circlesThatEnd(w, CircleEnd::captured); }},
         {"circles_escaping", [](W w) { return circlesThatEnd(w, CircleEnd::escapes); }},

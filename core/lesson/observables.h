@@ -29,8 +29,8 @@
 //   phi, mean_phi                   φ at the starting point; its mean over the circle around 0
 //                                   through it
 //   capture_radius                  within which all orbits stay, whatever the versor
-//   mean_membership                 of the first view's ensemble, at most 2000 members of it, at
-//                                   the starting point
+//   members                         of the first view that averages over maps; 0 without one
+//   mean_membership                 part of them, of at most 2000, whose set holds the start
 //
 // Of complex maps, with circles that were dropped:
 //
