@@ -6,6 +6,7 @@
 #include "imgui.h"
 #include "plate/plate_picture.h"
 #include "render/movie.h"
+#include "ui/access.h"
 #include "ui/context.h"
 #include "ui/ensemble_change.h"
 #include "ui/help.h"
@@ -147,11 +148,11 @@ std::vector<Command> commandsOf(StudioContext& context) {
              c->workspace.arrows = !c->workspace.arrows;
              c->touch();
          }},
-        {"The orbit as a time series", "", [c] { c->strip = StudioContext::Strip::series; }},
+        {"The orbit as a time series", "", [c] { c->show(StudioContext::Strip::series); }},
         {"The orbit as a web, where the map has a real line", "",
-         [c] { c->strip = StudioContext::Strip::web; }},
+         [c] { c->show(StudioContext::Strip::web); }},
         {"Bifurcation diagram: the attractor against one parameter", "",
-         [c] { c->strip = StudioContext::Strip::diagram; }},
+         [c] { c->show(StudioContext::Strip::diagram); }},
         {"Fixed points and cycles, or none", "",
          [c] { c->workspace.study.cycles = !c->workspace.study.cycles, c->touch(); }},
         {"Manifolds of saddles, or none", "",
@@ -225,6 +226,22 @@ std::vector<Command> commandsOf(StudioContext& context) {
              c->host.wake();
          }},
         {"Who draws: automatic, graphics processor or processor", "G", [c] { c->nextRenderer(); }},
+        {"Lessons, or none", "L",
+         [c] {
+             c->lessons.open = !c->lessons.open;
+             c->host.wake();
+         }},
+        {"Lesson: next step", "Page Down",
+         [c] {
+             if (c->lessons.now) goToStep(*c, c->lessons.now->session.at() + 1);
+         }},
+        {"Lesson: step before", "Page Up",
+         [c] {
+             if (c->lessons.now && c->lessons.now->session.at() > 0)
+                 goToStep(*c, c->lessons.now->session.at() - 1);
+         }},
+        {"Lesson: reset the step", "", [c] { resetStep(*c); }},
+        {"A teacher's link to this lesson or view", "", [c] { openTeacherDialog(*c); }},
         {"The list of keys", "?", [c] { c->keysOpen = !c->keysOpen; }},
     };
     for (Command& command : ensembleCommands(context)) all.push_back(std::move(command));
@@ -232,6 +249,8 @@ std::vector<Command> commandsOf(StudioContext& context) {
         all.push_back({"Mark view " + std::to_string(k + 1), std::to_string(k + 1), [c, k] {
                            if (k < static_cast<int>(c->workspace.views.size())) c->mark(k);
                        }});
+    if (isRestricted(context))
+        std::erase_if(all, [](const Command& command) { return !isHarmless(command.name); });
     return all;
 }
 
@@ -279,6 +298,9 @@ void handleKeys(StudioContext& context) {
     if (pressed(ImGuiKey_P, false)) run("P");
     if (pressed(ImGuiKey_R, false)) run(shifted(ImGuiKey_R) ? "Shift R" : "R");
     if (pressed(ImGuiKey_K, false)) run("K");
+    if (pressed(ImGuiKey_L, false)) run("L");
+    if (pressed(ImGuiKey_PageDown, false)) run("Page Down");
+    if (pressed(ImGuiKey_PageUp, false)) run("Page Up");
     if (pressed(ImGuiKey_S, false)) run(shifted(ImGuiKey_S) ? "Shift S" : "S");
     if (pressed(ImGuiKey_T, false)) run("T");
     if (pressed(ImGuiKey_Space, false)) run(shifted(ImGuiKey_Space) ? "Shift Space" : "Space");
@@ -296,25 +318,14 @@ void handleKeys(StudioContext& context) {
 
 namespace {
 
-void drawSearch(StudioContext& context) {
-    static char question[128];
-    if (context.searchOpen && !ImGui::IsPopupOpen("Find")) {
-        question[0] = 0;
-        ImGui::OpenPopup("Find");
-    }
-    const ImGuiViewport& screen = *ImGui::GetMainViewport();
-    ImGui::SetNextWindowPos({screen.GetCenter().x, screen.Pos.y + screen.Size.y * 0.12f},
-                            ImGuiCond_Always, {0.5f, 0});
-    ImGui::SetNextWindowSize(
-        {std::min(620.0f * context.scale, screen.Size.x * 0.94f), screen.Size.y * 0.62f});
-    if (!ImGui::BeginPopupModal("Find", &context.searchOpen, ImGuiWindowFlags_NoResize)) return;
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(-1);
-    const bool enter =
-        ImGui::InputTextWithHint("##question", "a map, a preset, a command", question,
-                                 sizeof question, ImGuiInputTextFlags_EnterReturnsTrue);
-    explain("question");
+// What can be found: all that opens something, and all commands.
+std::vector<Command> entriesFor(StudioContext& context, const char* question) {
+    if (isRestricted(context)) return commandsOf(context);
     std::vector<Command> entries;
+    for (const LessonEntry& lesson : lessonList(context))
+        entries.push_back({"Lesson: " + lesson.title, "", [&context, id = lesson.id] {
+                               context.report(openLesson(context, id, {}));
+                           }});
     for (const std::string& name : presetNames())
         entries.push_back({"Preset: " + name, "", [&context, name] {
                                Expected<Scene> scene = presetNamed(name);
@@ -363,6 +374,28 @@ void drawSearch(StudioContext& context) {
     }
     for (Command& command : formulaCommands(context, question))
         entries.push_back(std::move(command));
+    return entries;
+}
+
+void drawSearch(StudioContext& context) {
+    static char question[128];
+    if (context.searchOpen && !ImGui::IsPopupOpen("Find")) {
+        question[0] = 0;
+        ImGui::OpenPopup("Find");
+    }
+    const ImGuiViewport& screen = *ImGui::GetMainViewport();
+    ImGui::SetNextWindowPos({screen.GetCenter().x, screen.Pos.y + screen.Size.y * 0.12f},
+                            ImGuiCond_Always, {0.5f, 0});
+    ImGui::SetNextWindowSize(
+        {std::min(620.0f * context.scale, screen.Size.x * 0.94f), screen.Size.y * 0.62f});
+    if (!ImGui::BeginPopupModal("Find", &context.searchOpen, ImGuiWindowFlags_NoResize)) return;
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1);
+    const bool enter =
+        ImGui::InputTextWithHint("##question", "a map, a preset, a command", question,
+                                 sizeof question, ImGuiInputTextFlags_EnterReturnsTrue);
+    explain("question");
+    const std::vector<Command> entries = entriesFor(context, question);
     const Command* chosen = nullptr;
     bool first = true;
     ImGui::BeginChild("entries");
@@ -428,6 +461,7 @@ void drawDialogs(StudioContext& context) {
     drawOpenFile(context);
     drawKeys(context);
     drawExport(context);
+    drawTeacherDialog(context);
 }
 
 }  // namespace versorium

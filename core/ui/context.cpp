@@ -74,7 +74,7 @@ void StudioContext::record(bool on) {
         player.since = host.now();
         player.recording = true;
         player.at = 0;
-        strip = Strip::motion;
+        workspace.strip = Strip::motion;
         say("Recording: move, zoom, turn the numbers. Press R again to stop");
         return;
     }
@@ -119,7 +119,7 @@ void StudioContext::setKey() {
     KeyFrame& key = keyAt(motion, player.at);
     key.values = std::move(values);
     player.key = static_cast<int>(&key - motion.keys.data());
-    strip = Strip::motion;
+    workspace.strip = Strip::motion;
     touch();
     say("Key frame " + std::to_string(player.key + 1) + " at " + formatNumber(player.at, 3) + " s");
 }
@@ -151,7 +151,8 @@ void StudioContext::touch() {
 
 void StudioContext::record() {
     history.record(workspace);
-    gallery.remember(host, workspace);
+    // The steps of a lesson are no scenes of the user's own.
+    if (!lessons.now || lessons.now->wandering()) gallery.remember(host, workspace);
     touched = false;
 }
 
@@ -187,9 +188,20 @@ void StudioContext::redo() {
 }
 
 void StudioContext::open(Workspace opened) {
+    leaveStep(*this);
     if (touched) record();
     gallery.beginAnew();
-    workspace = std::move(opened);
+    take(std::move(opened));
+}
+
+void StudioContext::openStage(Workspace stage) {
+    if (touched) record();
+    take(std::move(stage));
+    permit(*this);
+}
+
+void StudioContext::take(Workspace next) {
+    workspace = std::move(next);
     animation.running = false;
     player = {};
     for (ViewState& view : views) view.visits = {}, view.glide.reset();
@@ -202,7 +214,7 @@ void StudioContext::openMotion(versorium::Animation animation) {
     opened.motion = std::move(animation.motion);
     opened.motionView = opened.focused;
     open(std::move(opened));
-    strip = Strip::motion;
+    workspace.strip = Strip::motion;
 }
 
 void StudioContext::newMap(const std::string& name) {
@@ -212,7 +224,14 @@ void StudioContext::newMap(const std::string& name) {
     Scene scene = sceneOf(*map);
     Workspace next = workspaceOf(scene);
     if (count != 2) setViewCount(next, count);
+    next.strip = workspace.strip;
     open(std::move(next));
+}
+
+void StudioContext::show(Strip strip) {
+    if (workspace.strip == strip) return;
+    workspace.strip = strip;
+    touch();
 }
 
 void StudioContext::mark(int view) {

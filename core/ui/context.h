@@ -13,12 +13,14 @@
 #include "fields/evaluate.h"
 #include "render/bind.h"
 #include "render/viewport.h"
+#include "ui/access.h"
 #include "ui/circles.h"
 #include "ui/contact_sheet.h"
 #include "ui/drawing.h"
 #include "ui/formulas.h"
 #include "ui/gallery.h"
 #include "ui/host.h"
+#include "ui/lessons.h"
 #include "ui/live_picture.h"
 #include "ui/motion.h"
 #include "ui/space_view.h"
@@ -123,7 +125,13 @@ struct StudioContext {
     VersorState versor;
     CircleStudies circles;
     ContactSheet sheet;
-    enum class Strip { series, web, diagram, profile, motion } strip = Strip::series;
+    Lessons lessons;
+    // The link that the studio was opened with, and the state that its locks hold on to.
+    std::optional<TeacherLink> teacher;
+    Workspace permitted;
+    std::uint64_t permittedAt = 0;
+    TeacherDialog handing;
+    using Strip = Workspace::Strip;
     int paletteStop = -1;  // the chosen stop of an own palette
     int orbitShown = 0;    // the step that the table has been scrolled to
     // An animated number: it runs between its ends until it is stopped, eased to and fro, or
@@ -171,18 +179,21 @@ struct StudioContext {
     void record();
     // A dialog stands over the views and takes the keys.
     bool dialogOpen() const {
-        return searchOpen || exportOpen || galleryOpen || fileOpen || sheet.open;
+        return searchOpen || exportOpen || galleryOpen || fileOpen || sheet.open || handing.open;
     }
     void say(std::string text);
     void report(const Status& status);
     void undo();
     void redo();
     void open(Workspace opened);
+    // The same of a lesson's step, which the learner does not leave by it.
+    void openStage(Workspace stage);
     // The views of the motion's scene, with the motion in the strip below.
     void openMotion(versorium::Animation animation);
     void newMap(const std::string& name);
-    void mark(int view);   // commands act on it
-    void visit(int view);  // remembers where a view is
+    void show(Strip strip);  // below the views
+    void mark(int view);     // commands act on it
+    void visit(int view);    // remembers where a view is
     void revisit(int view, int step);
     void home(int view);
     // The point (u, v) stays where it is. Eased, unless motion is to be reduced.
@@ -218,6 +229,7 @@ struct StudioContext {
     const std::vector<std::vector<double>>& orbit();
 
   private:
+    void take(Workspace next);
     void beginExport(const ExportOptions& options, bool toClipboard);
     struct Bound {
         std::uint64_t revision = 0;

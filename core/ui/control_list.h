@@ -4,6 +4,7 @@
 // one ControlList, with what setting each control does.
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <functional>
 #include <string>
@@ -28,7 +29,8 @@ class ControlList {
     void begin(std::string group) { group_ = std::move(group); }
 
     void number(const std::string& id, const std::string& label, double value, double step,
-                double low, double high, std::function<void(double)> set) {
+                double low, double high, std::function<void(double)> set,
+                std::array<double, 2> slider = {}) {
         const auto change = [=](const std::string& text) {
             char* end = nullptr;
             const double wanted = std::strtod(text.c_str(), &end);
@@ -36,7 +38,10 @@ class ControlList {
             set(wanted);
             return true;
         };
-        add({id, group_, label, ControlKind::number, formatNumber(value), step, {}}, change);
+        Control control{id, group_, label, ControlKind::number, formatNumber(value), step, {}};
+        control.low = slider[0];
+        control.high = slider[1];
+        add(std::move(control), change);
     }
     void choice(const std::string& id, const std::string& label, const std::string& value,
                 const std::vector<std::string>& options,

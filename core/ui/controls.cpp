@@ -8,6 +8,7 @@
 #include "maps/critical.h"
 #include "render/movie.h"
 #include "render/renderer.h"
+#include "ui/access.h"
 #include "ui/control_list.h"
 #include "ui/ensemble_change.h"
 #include "ui/roots_panel.h"
@@ -68,6 +69,15 @@ void collectMap(StudioContext& context, ControlList& all) {
     });
 }
 
+// The range of a parameter's slider, as in the inspector.
+std::array<double, 2> sliderOf(const Workspace& workspace, const ParameterInfo& parameter,
+                               const std::string& name) {
+    if (const auto own = workspace.ranges.find(name); own != workspace.ranges.end())
+        return own->second;
+    if (widthOf(parameter.kind) == 1) return {parameter.low, parameter.high};
+    return {std::max(parameter.low, -2.0), std::min(parameter.high, 2.0)};
+}
+
 void collectParameters(StudioContext& context, ControlList& all) {
     all.begin("Parameters");
     StudioContext* c = &context;
@@ -77,11 +87,13 @@ void collectParameters(StudioContext& context, ControlList& all) {
         const bool whole = parameter.kind == ParameterKind::whole;
         for (int k = 0; k < widthOf(parameter.kind); ++k) {
             const std::string name = parameterComponent(info, component++);
-            all.number(name, name, sharedNumber(context.workspace, name),
-                       whole ? 1 : (parameter.high - parameter.low) / 400, -1e6, 1e6,
-                       [c, name, whole](double value) {
-                           setSharedNumber(c->workspace, name, whole ? std::round(value) : value);
-                       });
+            all.number(
+                name, name, sharedNumber(context.workspace, name),
+                whole ? 1 : (parameter.high - parameter.low) / 400, -1e6, 1e6,
+                [c, name, whole](double value) {
+                    setSharedNumber(c->workspace, name, whole ? std::round(value) : value);
+                },
+                sliderOf(context.workspace, parameter, name));
         }
     }
     std::vector<std::string> numbers{"none"};
@@ -115,19 +127,22 @@ void collectOrbit(StudioContext& context, ControlList& all) {
     const MapKernels& map = mapOf(scene);
     for (int k = 0; k < map.dimension; ++k) {
         const std::string name = stateComponent(map.info, k);
-        all.number(name, "starting point " + name, sharedNumber(context.workspace, name), 0.01,
-                   -1e6, 1e6,
-                   [c, name](double value) { setSharedNumber(c->workspace, name, value); });
+        all.number(
+            name, "starting point " + name, sharedNumber(context.workspace, name), 0.01, -1e6, 1e6,
+            [c, name](double value) { setSharedNumber(c->workspace, name, value); },
+            map.dimension == 1 ? std::array<double, 2>{0, 1} : std::array<double, 2>{-2, 2});
     }
     all.number("marked step", "step that is marked", context.workspace.orbitAt, 1, 0,
                kMostOrbitSteps,
-               [c](double value) { c->stepOrbit(static_cast<int>(value) - c->workspace.orbitAt); });
+               [c](double value) { c->stepOrbit(static_cast<int>(value) - c->workspace.orbitAt); },
+               {0, static_cast<double>(std::max(1, context.workspace.orbitSteps))});
     all.toggle("arrows", "arrows from points to their images", context.workspace.arrows,
                [c](bool on) { c->workspace.arrows = on; });
     all.number("steps", "steps that are drawn", context.workspace.orbitSteps, 1, 0, 1000,
                [c](double value) { c->workspace.orbitSteps = static_cast<int>(value); });
     all.number("iterations", "max iterations N", scene.iterations, 50, 1, 1000000,
-               [c](double value) { c->workspace.view().iterations = static_cast<int>(value); });
+               [c](double value) { c->workspace.view().iterations = static_cast<int>(value); },
+               {1, 1000});
     const double radius = scene.escapeRadius.value_or(automaticRadius(scene));
     if (std::isfinite(radius))
         all.number("radius", "escape radius", radius, 0.5, 1e-6, 1e6,
@@ -420,6 +435,21 @@ void collectMotion(StudioContext& context, ControlList& all) {
                     [begin] { begin(true); });
 }
 
+void collectLessons(StudioContext& context, ControlList& all) {
+    all.begin("Lessons");
+    StudioContext* c = &context;
+    const std::string now = context.lessons.now && context.lessons.now->own
+                                ? context.lessons.now->session.lesson().id
+                                : std::string();
+    all.choice("lesson", "open a lesson", now, lessonIds(),
+               [c](const std::string& id) { c->report(openLesson(*c, id, {})); });
+    if (!context.lessons.now) return;
+    const auto count = static_cast<double>(context.lessons.now->left.size());
+    all.number("lesson step", "step of the lesson",
+               static_cast<double>(context.lessons.now->session.at()) + 1, 1, 1, count,
+               [c](double value) { goToStep(*c, static_cast<std::size_t>(value) - 1); });
+}
+
 void collectCommands(StudioContext& context, ControlList& all) {
     all.begin("Commands");
     for (Command& command : commandsOf(context))
@@ -440,6 +470,7 @@ std::vector<ControlEntry> entriesOf(StudioContext& context) {
     collectLayers(context, all);
     collectMotion(context, all);
     collectWindow(context, all);
+    collectLessons(context, all);
     collectCommands(context, all);
     return std::move(all.entries);
 }
@@ -482,11 +513,17 @@ std::string fate(StudioContext& context) {
 
 std::vector<Control> controlsOf(StudioContext& context) {
     std::vector<Control> controls;
-    for (ControlEntry& entry : entriesOf(context)) controls.push_back(std::move(entry.control));
+    for (ControlEntry& entry : entriesOf(context)) {
+        const Access access = accessOf(context, entry.control.id);
+        if (access == Access::hidden) continue;
+        entry.control.locked = access == Access::locked;
+        controls.push_back(std::move(entry.control));
+    }
     return controls;
 }
 
 bool setControl(StudioContext& context, const std::string& id, const std::string& value) {
+    if (accessOf(context, id) != Access::open) return false;
     for (const ControlEntry& entry : entriesOf(context))
         if (entry.control.id == id) return entry.set(value);
     return false;
@@ -511,7 +548,7 @@ std::string describeView(StudioContext& context, int view) {
     text += ring + (parameters ? std::string() : fate(context)) + ".";
     const std::string average = describeEnsemble(context, view);
     if (!average.empty()) text += " " + average;
-    if (context.strip == StudioContext::Strip::profile && !parameters)
+    if (context.workspace.strip == StudioContext::Strip::profile && !parameters)
         text += " " + describeProfile(context);
     if (!parameters) text += describeCircles(context);
     return text;
@@ -527,6 +564,8 @@ std::string controlsText(StudioContext& context) {
                    {"value", control.value}};
         if (control.kind == ControlKind::number) entry["step"] = control.step;
         if (control.kind == ControlKind::choice) entry["options"] = control.options;
+        if (control.low < control.high) entry["range"] = {control.low, control.high};
+        if (control.locked) entry["locked"] = true;
         controls.push_back(std::move(entry));
     }
     Json views = Json::array();

@@ -22,10 +22,14 @@ struct Control {
     std::string value;
     double step = 0;  // of a number, for one stroke of a key
     std::vector<std::string> options;
+    double low = 0, high = 0;  // of a number's slider; equal where there is none
+    bool locked = false;       // by the link that opened the studio (ui/access.h)
 };
 
+// Without those that a teacher's link hides.
 std::vector<Control> controlsOf(StudioContext& context);
-// Sets a control, or does its command. False where there is none, or where it does not take this.
+// Sets a control, or does its command. False where there is none, where it is locked, or where it
+// does not take this.
 bool setControl(StudioContext& context, const std::string& id, const std::string& value);
 
 // What a view shows, in a sentence.

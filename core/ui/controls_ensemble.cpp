@@ -166,7 +166,7 @@ std::vector<Command> ensembleCommands(StudioContext& context) {
             {"Average over c in a disc, or over another number of the map", "",
              [c] { run(*c, averageOverNumber); }},
             {"Mean of φ over circles of radius r, against r", "",
-             [c] { c->strip = StudioContext::Strip::profile; }}};
+             [c] { c->show(StudioContext::Strip::profile); }}};
 }
 
 }  // namespace versorium

@@ -121,6 +121,9 @@ class Host {
     // Fills the screen, or no longer; false where that cannot be.
     virtual bool toggleFullscreen() { return false; }
 
+    // Whether lessons are drawn by the host itself, from Studio::lesson, rather than as a pane.
+    virtual bool drawsLessons() const { return false; }
+
     virtual bool reducedMotion() const { return false; }
     // What a screen reader should say of what is shown.
     virtual void announce(const std::string&) {}

@@ -338,6 +338,9 @@ void drawInspector(StudioContext& context) {
     ImGui::SameLine();
     if (ImGui::Button("Export")) context.exportOpen = true;
     explain("export dialog");
+    ImGui::SameLine();
+    if (ImGui::Button("Lessons")) context.lessons.open = !context.lessons.open;
+    explain("lessons");
 
     heading("Parameters");
     if (workspace.views[0].map != "planar") parameters(context);

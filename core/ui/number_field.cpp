@@ -122,12 +122,15 @@ bool numberCell(StudioContext& context, const std::string& name, double& value,
 
 bool numberField(StudioContext& context, const std::string& name, const std::string& label,
                  double& value, const NumberLook& look) {
+    const Access access = accessOf(context, name);
+    if (access == Access::hidden) return false;
     const double before = value;
     const std::array<double, 2> range = rangeOf(context, name, look);
     const float letter = ImGui::GetFontSize(), gap = 4 * context.scale;
     const float box = letter * 5.2f, button = letter * 1.5f;
     const float buttons = (look.animated ? 2 : 1) * (button + gap);
     ImGui::PushID(name.c_str());
+    ImGui::BeginDisabled(access == Access::locked);
     const float left = ImGui::GetCursorPosX();
     const float right = left + ImGui::GetContentRegionAvail().x;
     ImGui::AlignTextToFramePadding();
@@ -163,6 +166,7 @@ bool numberField(StudioContext& context, const std::string& name, const std::str
     ImGui::SameLine(0, gap);
     ImGui::SetCursorPosX(right - button);
     menuButton(context, name, value, look, button);
+    ImGui::EndDisabled();
     ImGui::PopID();
     if (look.whole) value = std::round(value);
     return value != before;

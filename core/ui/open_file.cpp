@@ -19,6 +19,7 @@ constexpr std::string_view kMeshes[] = {".obj", ".ply", ".stl"};
 constexpr std::string_view kGrids[] = {".f3d", ".field2d", ".grid"};
 constexpr std::string_view kImages[] = {".png", ".jpg", ".jpeg", ".bmp"};
 constexpr std::string_view kOthers[] = {".json", ".p4d"};
+constexpr std::string_view kLessons[] = {".md"};
 
 template <class Endings>
 bool endsWith(const std::string& name, const Endings& endings) {
@@ -218,7 +219,9 @@ Status openAny(StudioContext& context, const std::string& name,
         const Expected<RootList> roots = readRootsBinary(bytes);
         return roots ? takeRoots(context, name, *roots) : roots.status();
     }
-    return openJson(context, name, std::string(bytes.begin(), bytes.end()));
+    const std::string text(bytes.begin(), bytes.end());
+    if (endsWith(name, kLessons)) return openLessonFile(context, name, text);
+    return openJson(context, name, text);
 }
 
 }  // namespace
@@ -238,7 +241,7 @@ Status openPlate(StudioContext& context, const std::string& name, const PlateDoc
     if (first->kind == PanelKind::diagram) {
         const DiagramPlot& plot = first->diagram;
         workspace.diagram = {plot.parameter, plot.from, plot.to};
-        context.strip = StudioContext::Strip::diagram;
+        workspace.strip = Workspace::Strip::diagram;
     }
     context.open(std::move(workspace));
     context.say("Opened panel " + first->name + " of the plate " + name);
@@ -247,12 +250,14 @@ Status openPlate(StudioContext& context, const std::string& name, const PlateDoc
 
 bool mayOpen(const std::string& name) {
     return endsWith(name, kMeshes) || endsWith(name, kGrids) || endsWith(name, kImages) ||
-           endsWith(name, kOthers);
+           endsWith(name, kOthers) || endsWith(name, kLessons);
 }
 
 Status openBytes(StudioContext& context, const std::string& path,
                  std::span<const unsigned char> bytes) {
     const std::string name = fileName(path);
+    if (isRestricted(context))
+        return Status::usage("the link that opened this page lets no files in");
     return openAny(context, name, bytes).in(name);
 }
 
@@ -268,6 +273,8 @@ Status openText(StudioContext& context, const std::string& given) {
     auto last = std::find_if_not(given.rbegin(), std::make_reverse_iterator(first), blank).base();
     const std::string text(first, last);
     if (text.empty()) return Status::usage("there is nothing on the clipboard to open");
+    if (isRestricted(context))
+        return Status::usage("the link that opened this page lets nothing else in");
     const std::size_t link = text.starts_with("v1:") ? 0 : text.find("#v1:");
     if (link != std::string::npos) {
         Expected<Workspace> workspace = workspaceFromLink(text.substr(link ? link + 1 : 0));
@@ -276,6 +283,12 @@ Status openText(StudioContext& context, const std::string& given) {
         context.say("Opened the link");
         return {};
     }
+    if (const std::size_t hash = text.find('#');
+        hash != std::string::npos && isTeacherLink(text.substr(hash + 1))) {
+        const Expected<TeacherLink> read = parseTeacherLink(text.substr(hash + 1));
+        return read ? followTeacherLink(context, *read) : read.status();
+    }
+    if (text.starts_with("---\n")) return openLessonFile(context, "pasted.en.md", text);
     if (text[0] == '{') return openJson(context, "the clipboard", text).in("the clipboard");
     if (text.starts_with("file://")) return openFile(context, text.substr(7));
     if (text[0] == '/' && text.find('\n') == std::string::npos) return openFile(context, text);

@@ -16,7 +16,7 @@ namespace {
 constexpr double kQuiet = 0.4;          // seconds without a change before it is recorded
 constexpr double kProgressEvery = 0.1;  // seconds
 constexpr float kNarrow = 900;          // below this width views become tabs
-constexpr float kInspector = 330, kStrip = 150, kWebStrip = 300;
+constexpr float kInspector = 330, kStrip = 150, kWebStrip = 300, kLesson = 340;
 
 }  // namespace
 
@@ -28,7 +28,10 @@ struct Studio::State {
     double fragmentAt = 0;
     std::string fragmentText;
     bool fragmentOld = true;
-    bool sheetOpen = false;
+    // What stands below the view on a narrow screen, and whether the strip takes the view's place.
+    enum class Sheet { none, controls, lesson } sheet = Sheet::none;
+    bool stripShown = false;
+    bool lessonWasOpen = false;
     bool narrow = false;  // one view at a time
 
     bool shows(std::size_t view) const {
@@ -36,6 +39,7 @@ struct Studio::State {
         return !(workspace.maximised || narrow) || static_cast<int>(view) == workspace.focused;
     }
     void takeAnswers();
+    std::string address() const;
     void settle();
     void animate();
     void drawViews(ImVec2 low, ImVec2 high);
@@ -56,6 +60,19 @@ void Studio::State::takeAnswers() {
     takeExport(context);
 }
 
+// A lesson is named by its step, anything else by its state. A teacher's link stays what it is.
+std::string Studio::State::address() const {
+    if (context.teacher) return {};
+    if (context.lessons.now && context.lessons.now->own && !context.lessons.now->wandering()) {
+        const LessonSession& session = context.lessons.now->session;
+        const Expected<std::string> link = teacherLinkText(
+            {.lesson = session.lesson().id, .step = static_cast<int>(session.at())});
+        return link ? *link : std::string();
+    }
+    const Expected<std::string> link = workspaceToLink(context.workspace);
+    return link ? *link : std::string();
+}
+
 // Records what was done, once the hand is off it, and keeps the link up to date.
 void Studio::State::settle() {
     const double now = context.host.now();
@@ -68,9 +85,8 @@ void Studio::State::settle() {
     if (fragmentOld && now - fragmentAt > 0.5 && !ImGui::IsAnyMouseDown()) {
         fragmentOld = context.touched;
         fragmentAt = now;
-        const Expected<std::string> link = workspaceToLink(context.workspace);
-        if (link && *link != fragmentText) {
-            fragmentText = *link;
+        if (const std::string link = address(); !link.empty() && link != fragmentText) {
+            fragmentText = link;
             context.host.setFragment(fragmentText);
         }
     }
@@ -195,11 +211,20 @@ void Studio::State::drawRenderer(float right) {
 }
 
 void Studio::State::drawWide(ImVec2 low, ImVec2 size) {
+    if (context.lessons.open && !context.host.drawsLessons()) {
+        const float pane = std::min(kLesson * context.scale, 0.36f * size.x);
+        ImGui::SetCursorScreenPos(low);
+        ImGui::BeginChild("lesson", {pane, size.y}, ImGuiChildFlags_AlwaysUseWindowPadding);
+        drawLessonPane(context);
+        ImGui::EndChild();
+        low.x += pane + 8;
+        size.x -= pane + 8;
+    }
     const float bar = ImGui::GetFrameHeightWithSpacing();
     const float inspector = kInspector * context.scale;
-    const bool web = context.strip == StudioContext::Strip::web ||
-                     context.strip == StudioContext::Strip::diagram ||
-                     context.strip == StudioContext::Strip::profile;
+    const bool web = context.workspace.strip == StudioContext::Strip::web ||
+                     context.workspace.strip == StudioContext::Strip::diagram ||
+                     context.workspace.strip == StudioContext::Strip::profile;
     const float strip =
         std::min((web ? kWebStrip : kStrip) * context.scale, size.y * (web ? 0.45f : 0.25f));
     const float left = size.x - inspector - 8;
@@ -214,7 +239,7 @@ void Studio::State::drawWide(ImVec2 low, ImVec2 size) {
     drawRenderer(low.x + left - 8);
     ImGui::SetCursorScreenPos({low.x + size.x - inspector, low.y});
     ImGui::BeginChild("inspector", {inspector, size.y}, ImGuiChildFlags_AlwaysUseWindowPadding);
-    drawInspector(context);
+    if (!drawOpenControls(context)) drawInspector(context);
     ImGui::EndChild();
 }
 
@@ -232,26 +257,57 @@ void Studio::State::drawNarrow(ImVec2 low, ImVec2 size) {
         explain("view tab");
     }
     ImGui::SameLine();
-    if (ImGui::Button(sheetOpen ? "Close" : "Controls", button)) sheetOpen = !sheetOpen;
-    explain("sheet");
+    if (ImGui::Button(stripShown ? "View" : "Orbit", button)) stripShown = !stripShown;
+    explain("strip tab");
     ImGui::SameLine();
+    const bool controls = sheet == Sheet::controls;
+    if (ImGui::Button(controls ? "Close" : "Controls", button))
+        sheet = controls ? Sheet::none : Sheet::controls;
+    explain("sheet");
+    // A second row where there is no room for more.
+    const auto next = [&](const char* label) {
+        const float needed = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+        ImGui::SameLine();
+        if (ImGui::GetCursorScreenPos().x + needed <= low.x + size.x) return 0.0f;
+        ImGui::SetCursorScreenPos({low.x, ImGui::GetCursorScreenPos().y + bar + 6});
+        return bar + 6;
+    };
+    float rows = next("Draw");
     if (ImGui::Button("Draw", button)) chooseTool(context, Drawing::Tool::outline);
     explain("draw shape");
-    ImGui::SameLine();
+    rows += next("Undo");
     if (ImGui::Button("Undo", button)) context.undo();
     explain("undo");
-    const float sheet = sheetOpen ? size.y * 0.48f : 0;
+    rows += next("Lessons");
+    if (ImGui::Button("Lessons", button)) context.lessons.open = !context.lessons.open;
+    explain("lessons");
+    const bool lesson = context.lessons.open && !context.host.drawsLessons();
+    if (lesson && !lessonWasOpen) sheet = Sheet::lesson;
+    if (!lesson && sheet == Sheet::lesson) sheet = Sheet::none;
+    lessonWasOpen = lesson;
+    const float below = sheet != Sheet::none ? size.y * 0.48f : 0;
     const float status = 2 * ImGui::GetTextLineHeight() + 8;
-    drawView(context, workspace.focused, {low.x, low.y + bar + 6},
-             {low.x + size.x, low.y + size.y - sheet - status});
-    ImGui::SetCursorScreenPos({low.x + 8, low.y + size.y - sheet - status + 4});
+    const ImVec2 top{low.x, low.y + bar + 6 + rows};
+    const ImVec2 end{low.x + size.x, low.y + size.y - below - status};
+    if (stripShown) {
+        ImGui::SetCursorScreenPos(top);
+        ImGui::BeginChild("strip", {size.x, end.y - top.y}, ImGuiChildFlags_AlwaysUseWindowPadding);
+        drawOrbitStrip(context);
+        ImGui::EndChild();
+    } else {
+        drawView(context, workspace.focused, top, end);
+    }
+    ImGui::SetCursorScreenPos({low.x + 8, end.y + 4});
     ImGui::PushTextWrapPos(size.x);
     drawStatus();
     ImGui::PopTextWrapPos();
-    if (!sheetOpen) return;
-    ImGui::SetCursorScreenPos({low.x, low.y + size.y - sheet});
-    ImGui::BeginChild("sheet", {size.x, sheet}, ImGuiChildFlags_AlwaysUseWindowPadding);
-    drawInspector(context);
+    if (sheet == Sheet::none) return;
+    ImGui::SetCursorScreenPos({low.x, low.y + size.y - below});
+    ImGui::BeginChild("sheet", {size.x, below}, ImGuiChildFlags_AlwaysUseWindowPadding);
+    if (sheet == Sheet::lesson)
+        drawLessonPane(context);
+    else if (!drawOpenControls(context))
+        drawInspector(context);
     ImGui::EndChild();
 }
 
@@ -306,6 +362,8 @@ void Studio::frame() {
         state.drawWide(low, size);
     drawDialogs(context);
     ImGui::End();
+    keepLocks(context);
+    noteGoal(context);
     state.settle();
 }
 
@@ -338,18 +396,31 @@ Status Studio::openBytes(const std::string& name, std::span<const unsigned char>
 
 Status Studio::openFragment(const std::string& fragment) {
     if (fragment.empty() || fragment == this->fragment()) return {};
+    if (isTeacherLink(fragment)) {
+        const Expected<TeacherLink> link = parseTeacherLink(fragment);
+        const Status status = link ? followTeacherLink(state_->context, *link) : link.status();
+        state_->context.report(status);
+        return status;
+    }
     Expected<Workspace> workspace = workspaceFromLink(fragment);
     if (!workspace) {
         state_->context.report(workspace.status());
         return workspace.status();
     }
+    state_->context.teacher.reset();
     state_->context.open(std::move(*workspace));
     return {};
 }
 
-std::string Studio::fragment() const {
-    const Expected<std::string> link = workspaceToLink(state_->context.workspace);
-    return link ? *link : std::string();
+std::string Studio::fragment() const { return state_->address(); }
+
+Status Studio::openLesson(const std::string& id, std::size_t step) {
+    return versorium::openLesson(state_->context, id, step);
+}
+std::string Studio::lessonRing() const { return ringAnswer(state_->context); }
+std::string Studio::lesson() const { return lessonText(state_->context); }
+bool Studio::lessonDo(const std::string& action, const std::string& value) {
+    return versorium::lessonDo(state_->context, action, value);
 }
 
 bool Studio::finished() const {

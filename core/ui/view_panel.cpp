@@ -221,6 +221,7 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
     drawStudyMarks(context, view, plane, list);
     drawDrawing(context, view, plane, list);
     drawRootMarks(context, view, plane, list);
+    drawLessonMarks(context, view, plane, list);
     const auto marker = markerOf(workspace, static_cast<std::size_t>(view));
     if (workspace.analysis()) drawPlaces(context, view, plane, list);
     if (!workspace.analysis() || view > 0)
