@@ -12,12 +12,32 @@
 //   captured                        1 - escapes
 //   period                          of the attracting cycle that the orbit ends on; 0 for none
 //   lyapunov                        its exponent; NaN where the orbit escapes
-//   critical_period, critical_escapes   the same of the map's first critical point
+//   end.x, end.y                    where it is after N steps, at most 1000; NaN where it escapes
+//   critical_period, critical_escapes   period and escapes of the map's first critical point
+//   catalogue                       1 where the first view of parameters may be read as a catalogue
+//                                   of Julia sets (dynamics/catalogue_badge.h), else 0
 //   share                           of a grid of 64 x 64 points of the first view of starting
 //                                   points: the part that does not escape, 0 … 1
-//   pins, circles                   how many there are
-//   pin_distance                    between the first pinned setting and the present one
+//   pins, pin_distance              how many there are; between the first and the present numbers
 //   roots, poles                    how many the map has
+//
+// Of shape modulus maps over the complex numbers:
+//
+//   shape_share                     the part of that grid that lies in the shape
+//   fit                             points in both the set and the shape, of those in either
+//   corners                         of a shape that was drawn, or is an outline; else 0
+//   phi, mean_phi                   φ at the starting point; its mean over the circle around 0
+//                                   through it
+//   capture_radius                  within which all orbits stay, whatever the versor
+//   members                         of the first view that averages over maps; 0 without one
+//   mean_membership                 part of them, of at most 2000, whose set holds the start
+//
+// Of complex maps, with circles that were dropped:
+//
+//   circles                         how many there are
+//   circles_captured, circles_escaping, circles_decided   of which 256 points all stay, all
+//                                   escape, or some do
+//   circle.x, circle.y, circle.radius   of the first one
 
 #include <string>
 #include <vector>
@@ -28,7 +48,8 @@ namespace versorium {
 
 // Whether the name stands for something in this workspace.
 bool isObservable(const Workspace& workspace, const std::string& name);
-// NaN where it cannot be measured: a shape whose grid takes time to make, a diverging orbit.
+// NaN where it cannot be measured: a shape whose grid takes time to make (a mesh), an orbit that
+// escapes, a map that has no such thing.
 double observe(const Workspace& workspace, const std::string& name);
 // For error messages.
 std::string observableNames(const Workspace& workspace);

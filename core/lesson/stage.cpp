@@ -69,9 +69,11 @@ Json* memberAt(Json& json, const std::string& path) {
     return nullptr;
 }
 
-// A list of one number may be written without brackets.
+// A list of one number may be written without brackets; an object stands for itself ("start:
+// {"critical": 0}").
 Json suited(Json value, const Json& present) {
-    if (present.is_array() && !value.is_array()) return Json::array({std::move(value)});
+    if (present.is_array() && !value.is_array() && !value.is_object())
+        return Json::array({std::move(value)});
     return value;
 }
 
@@ -216,7 +218,7 @@ class Change {
             return Status::data("the map \"" + now_.views[0].map + "\" has no such list");
         const auto width = static_cast<std::size_t>(std::max(2, mapOf(now_.views[0]).dimension));
         RootList list;
-        for (std::size_t begin = 0; begin <= value.size();) {
+        for (std::size_t begin = 0; begin <= value.size() && value != "none";) {
             const std::size_t end = std::min(value.find(';', begin), value.size());
             std::string item = trimmed(value.substr(begin, end - begin));
             std::replace(item.begin(), item.end(), ' ', ',');

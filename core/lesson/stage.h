@@ -10,7 +10,7 @@
 //   c: -0.12 + 0.74i          a parameter in all views; also "-0.12, 0.74"
 //   c.im: 0.7                 one number of it
 //   point: 0.2, 0.1           where the orbit starts
-//   roots: 0.5 0; -0.5 0      a list of roots: components, then a power that is not 1
+//   roots: 0.5 0; -0.5 0      a list of roots: components, then a power that is not 1; or none
 //   circle: 0.3, 0.1, 0.2     drops a circle: its middle in the plane, and its radius
 //   pin: now                  sets the present parameters aside
 //   shape: star(5, 1.4, 0.7)  the shape of a shape modulus
