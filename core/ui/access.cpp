@@ -61,7 +61,8 @@ bool isHarmless(const std::string& command) {
                                          "Lesson: step before",
                                          "Lesson: reset the step",
                                          "The list of keys"};
-    return std::any_of(std::begin(kHarmless), std::end(kHarmless),
+    return command.starts_with("Language: ") ||
+           std::any_of(std::begin(kHarmless), std::end(kHarmless),
                        [&](const char* one) { return command == one; });
 }
 
@@ -98,7 +99,8 @@ Status followTeacherLink(StudioContext& context, const TeacherLink& link) {
             context.fontsChanged = true;
         }
     context.teacher.reset();
-    if (!link.language.empty()) context.host.store("language", link.language);
+    // For this visit: what the learner chose is kept.
+    if (!link.language.empty() && setLanguage(link.language)) context.fontsChanged = true;
     if (!link.lesson.empty()) {
         const Status status = openLesson(context, link.lesson, static_cast<std::size_t>(link.step));
         if (!status.ok()) return status;

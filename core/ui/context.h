@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "fields/evaluate.h"
+#include "i18n/language.h"
 #include "render/bind.h"
 #include "render/viewport.h"
 #include "ui/access.h"
@@ -87,7 +88,8 @@ struct FileList {
 // Who draws live pictures: automatic is the graphics processor, unless its driver computes in
 // software.
 enum class RendererChoice { automatic, graphics, processor };
-inline constexpr std::array<const char*, 3> kRendererWords = {"automatic", "graphics", "processor"};
+inline constexpr std::array<const char*, 3> kRendererWords = {
+    trLater("automatic"), trLater("graphics"), trLater("processor")};
 
 struct StudioContext {
     explicit StudioContext(Host& host);
@@ -181,7 +183,8 @@ struct StudioContext {
     bool dialogOpen() const {
         return searchOpen || exportOpen || galleryOpen || fileOpen || sheet.open || handing.open;
     }
-    void say(std::string text);
+    // In English or in the language already, where it was put together.
+    void say(const std::string& text);
     void report(const Status& status);
     void undo();
     void redo();
@@ -208,6 +211,8 @@ struct StudioContext {
     void pan(int view, double widths, double heights);
     void choose(RendererChoice choice);
     void nextRenderer();
+    // From the next frame on in this language.
+    void speak(const std::string& id);
     GpuUse gpuUse();
     void stepOrbit(int steps);  // the orbit grows where it ends
     void chooseFile();
@@ -248,8 +253,10 @@ struct StudioContext {
 
 // A command with its name, keys and what it does: the list behind Ctrl+K and `?`.
 struct Command {
-    std::string name, keys;
+    std::string name, keys;  // in English
     std::function<void()> run;
+    std::string shown = {};  // in the language, where it is more than tr(name)
+    std::string title() const { return shown.empty() ? tr(std::string_view(name)) : shown; }
 };
 std::vector<Command> commandsOf(StudioContext& context);
 

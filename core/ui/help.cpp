@@ -4,6 +4,7 @@
 #include <cassert>
 #include <string>
 
+#include "i18n/language.h"
 #include "imgui.h"
 
 namespace versorium {
@@ -299,12 +300,14 @@ constexpr Help kHelp[] = {
     {"preset", "Opens this scene. What is there now can be had back by undo."},
     {"folder", "The folder that is shown. A typed path opens with Enter."},
     {"file", "Opens this file, or goes into this folder."},
+    {"language", "The language of the interface. Files, links and formulas stay as they are."},
 };
 
-void show(std::string_view text) {
+void show(std::string_view english) {
+    const std::string text = tr(english);
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
-    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kDone = "✓ ";
 
 bool button(const char* label, const char* help) {
-    const bool pressed = ImGui::Button(label);
+    const bool pressed = ImGui::Button(tr(label));
     explain(help);
     return pressed;
 }
@@ -31,22 +31,22 @@ void beside(const char* label) {
 void strong(const std::string& text) { drawProse({{.runs = {{.text = text, .strong = true}}}}); }
 
 void drawList(StudioContext& context) {
-    strong("Lessons");
+    strong(tr("Lessons"));
     drawParagraph(
-        "Each takes five to ten minutes. What you have done is kept here, on this device.");
+        tr("Each takes five to ten minutes. What you have done is kept here, on this device."));
     for (const LessonEntry& entry : lessonList(context)) {
         ImGui::PushID(entry.id.c_str());
         const std::string label = (entry.done == entry.steps ? kDone : "") + entry.title;
         if (ImGui::Button(label.c_str(), {-1, 0}))
             context.report(openLesson(context, entry.id, {}));
         explain("lesson");
-        ImGui::TextDisabled("%d min · %s · %d / %d", entry.minutes, entry.level.c_str(),
+        ImGui::TextDisabled("%d min · %s · %d / %d", entry.minutes, tr(entry.level.c_str()),
                             static_cast<int>(entry.done), static_cast<int>(entry.steps));
         ImGui::PopID();
     }
     ImGui::Spacing();
     if (button("Open a lesson's file", "open lesson")) context.chooseFile();
-    beside("Close");
+    beside(tr("Close"));
     if (button("Close", "close lessons")) context.lessons.open = false;
 }
 
@@ -106,23 +106,24 @@ void drawQuestion(StudioContext& context, const Question& question) {
         std::snprintf(typed, sizeof typed, "%s", lesson.typed.c_str());
         ImGui::SetNextItemWidth(-1);
         enter = ImGui::InputTextWithHint(
-            "##answer", question.kind == AnswerKind::point ? "two numbers: x, y" : "a number",
-            typed, sizeof typed, ImGuiInputTextFlags_EnterReturnsTrue);
+            "##answer",
+            question.kind == AnswerKind::point ? tr("two numbers: x, y") : tr("a number"), typed,
+            sizeof typed, ImGuiInputTextFlags_EnterReturnsTrue);
         explain("answer");
         lesson.typed = typed;
     }
     if (question.kind == AnswerKind::point) {
         if (button("Take the ring's place", "ring answer")) lesson.typed = ringAnswer(context);
-        beside("Commit");
+        beside(tr("Commit"));
     }
     if ((button("Commit", "commit") || enter) && !lesson.typed.empty())
         commitAnswer(context, lesson.typed);
-    if (!lesson.problem.empty()) drawParagraph(lesson.problem);
+    if (!lesson.problem.empty()) drawParagraph(trMessage(lesson.problem));
     if (state.answer.empty()) return;
     ImGui::Spacing();
-    drawParagraph("Your answer: " + spokenAnswer(question, state.answer));
+    drawParagraph(tr("Your answer: {1}", {spokenAnswer(question, state.answer)}));
     const Judgement judgement = lesson.session.judgement();
-    strong(judgement.right ? "✓ Right." : "Not yet.");
+    strong(judgement.right ? kDone + std::string(tr("Right.")) : tr("Not yet."));
     if (!judgement.text.empty()) drawParagraph(judgement.text);
 }
 
@@ -131,7 +132,8 @@ void drawReveal(StudioContext& context) {
     const LessonStep& step = lesson.session.step();
     if (lesson.session.canReveal() && button("Show me", "show answer")) showAnswer(context);
     if (!lesson.session.state().revealed) return;
-    if (!lesson.session.state().right) drawParagraph("The answer: " + rightAnswer(*step.question));
+    if (!lesson.session.state().right)
+        drawParagraph(tr("The answer: {1}", {rightAnswer(*step.question)}));
     drawProse(step.reveal);
     if (step.revealStage &&
         button(lesson.revealShown ? "Back to my picture" : "Show it in the picture",
@@ -160,7 +162,7 @@ void drawEnd(StudioContext& context) {
     ImGui::Spacing();
     if (button("Export this as a plate", "export step")) exportStep(context);
     if (button("Save my answers", "save answers")) saveAnswers(context, false);
-    beside("… as JSON");
+    beside(tr("… as JSON"));
     if (button("… as JSON", "save answers json")) saveAnswers(context, true);
     if (button("Begin again", "begin again")) beginLessonAgain(context);
 }
@@ -169,12 +171,12 @@ void drawWandering(StudioContext& context) {
     OpenLesson& lesson = *context.lessons.now;
     ImGui::Spacing();
     if (lesson.wandering() && !lesson.revealShown) {
-        drawParagraph("You are exploring freely. The step waits as you left it.");
+        drawParagraph(tr("You are exploring freely. The step waits as you left it."));
         if (button("Back to the step", "back to step")) backToStep(context);
-        beside("Reset");
+        beside(tr("Reset"));
     } else if (stepNamesControls(context) && !isRestricted(context)) {
         if (button("All controls", "all controls")) leaveStep(context);
-        beside("Reset");
+        beside(tr("Reset"));
     }
     if (button("Reset", "reset step")) resetStep(context);
 }

@@ -13,11 +13,6 @@ namespace {
 
 constexpr double kNoteEvery = 0.2;  // seconds
 
-std::string languageOf(StudioContext& context) {
-    const std::string stored = context.host.stored("language");
-    return stored.empty() ? "en" : stored;
-}
-
 // Under which progress is kept: what may name a file.
 std::string keptAs(const OpenLesson& lesson) {
     std::string name = lesson.own ? "lesson-" : "lesson-file-";
@@ -61,8 +56,9 @@ void enter(StudioContext& context) {
     const auto& left = lesson.left[lesson.session.at()];
     showState(context, left ? *left : lesson.session.step().stage);
     keep(context);
-    context.host.announce("Step " + std::to_string(lesson.session.at() + 1) + " of " +
-                          std::to_string(lesson.left.size()) + ": " + lesson.session.step().title);
+    context.host.announce(tr("Step {1} of {2}: {3}",
+                             {std::to_string(lesson.session.at() + 1),
+                              std::to_string(lesson.left.size()), lesson.session.step().title}));
 }
 
 void begin(StudioContext& context, Lesson read, bool own, std::optional<std::size_t> step) {
@@ -80,11 +76,11 @@ void begin(StudioContext& context, Lesson read, bool own, std::optional<std::siz
 
 const std::vector<LessonEntry>& lessonList(StudioContext& context) {
     std::vector<LessonEntry>& list = context.lessons.list;
-    if (!list.empty() && context.lessons.listLanguage == languageOf(context)) return list;
+    if (!list.empty() && context.lessons.listLanguage == languageNow().id) return list;
     list.clear();
-    context.lessons.listLanguage = languageOf(context);
+    context.lessons.listLanguage = languageNow().id;
     for (const std::string& id : lessonIds()) {
-        Expected<Lesson> lesson = lessonNamed(id, languageOf(context));
+        Expected<Lesson> lesson = lessonNamed(id, languageNow().id);
         if (!lesson) continue;
         LessonEntry entry{id, lesson->title, lesson->level, lesson->minutes, lesson->steps.size()};
         OpenLesson opened(std::move(*lesson));
@@ -98,7 +94,7 @@ const std::vector<LessonEntry>& lessonList(StudioContext& context) {
 }
 
 Status openLesson(StudioContext& context, const std::string& id, std::optional<std::size_t> step) {
-    Expected<Lesson> lesson = lessonNamed(id, languageOf(context));
+    Expected<Lesson> lesson = lessonNamed(id, languageNow().id);
     if (!lesson) return lesson.status();
     begin(context, std::move(*lesson), true, step);
     return {};
@@ -120,8 +116,8 @@ void closeLesson(StudioContext& context) {
 void translateLesson(StudioContext& context) {
     if (!context.lessons.now || !context.lessons.now->own) return;
     OpenLesson& lesson = *context.lessons.now;
-    if (lesson.session.lesson().language == languageOf(context)) return;
-    Expected<Lesson> other = lessonNamed(lesson.session.lesson().id, languageOf(context));
+    if (lesson.session.lesson().language == languageNow().id) return;
+    Expected<Lesson> other = lessonNamed(lesson.session.lesson().id, languageNow().id);
     if (other) lesson.session.translate(std::move(*other));
 }
 
@@ -163,12 +159,13 @@ void commitAnswer(StudioContext& context, const std::string& answer) {
     const Expected<Judgement> judged = lesson.session.commit(answer);
     lesson.problem = judged ? "" : judged.status().message();
     if (!judged) {
-        context.host.announce(lesson.problem);
+        context.host.announce(trMessage(lesson.problem));
         return context.host.wake();
     }
     lesson.typed = answer;
     keep(context);
-    context.host.announce((judged->right ? "Right. " : "Not yet. ") + judged->text);
+    context.host.announce(std::string(judged->right ? tr("Right.") : tr("Not yet.")) + " " +
+                          judged->text);
 }
 
 void showHint(StudioContext& context) {
@@ -213,7 +210,7 @@ void noteGoal(StudioContext& context) {
     lesson.notedAt = now;
     if (!lesson.session.note(context.workspace)) return;
     keep(context);
-    context.say("Goal reached. " + goal->praise);
+    context.say(std::string(tr("Goal reached.")) + " " + goal->praise);
 }
 
 void saveAnswers(StudioContext& context, bool asJson) {
@@ -225,7 +222,7 @@ void saveAnswers(StudioContext& context, bool asJson) {
         context.host.saveFile(session.lesson().id + (asJson ? "-answers.json" : "-answers.txt"),
                               {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
     if (!path) return context.report(path.status());
-    context.say("Saved: " + *path);
+    context.say(tr("Saved: {1}", {*path}));
 }
 
 void exportStep(StudioContext& context) {
@@ -265,9 +262,10 @@ void drawLessonMarks(StudioContext& context, int view, const ViewPlane& plane, I
         drawText(list, {at.x + 14 * context.scale, at.y - 8 * context.scale}, colour, word);
     };
     if (answer.size() == 2)
-        mark(answer[0], answer[1], MarkShape::diamond, "your answer", pinColour(3));
+        mark(answer[0], answer[1], MarkShape::diamond, tr("your answer"), pinColour(3));
     if (session.state().revealed && !session.state().right)
-        mark(question->answer[0], question->answer[1], MarkShape::square, "right", pinColour(1));
+        mark(question->answer[0], question->answer[1], MarkShape::square, tr("the answer"),
+             pinColour(1));
 }
 
 }  // namespace versorium

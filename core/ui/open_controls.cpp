@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The controls that a lesson's step or a teacher's link leaves open, in place of the inspector.
+#include <algorithm>
 #include <cmath>
 
 #include "ui/access.h"
@@ -21,15 +22,26 @@ bool drawNumber(StudioContext& context, const Control& control) {
                           .high = slides ? control.high : value + 40 * control.step,
                           .whole = control.step >= 1,
                           .slider = slides,
-                          .animated = control.group == "Parameters" && control.step < 1};
+                          .animated = control.id == control.label && control.step < 1};
     return numberField(context, control.id, control.label, value, look) &&
            setControl(context, control.id, formatNumber(value));
 }
 
 bool drawChoice(StudioContext& context, const Control& control) {
     std::string value = control.value;
-    return choose(control.label.c_str(), "open control", value, control.options) &&
-           setControl(context, control.id, value);
+    labelled(control.label.c_str());
+    const auto said = [&](const std::string& option) {
+        const auto at = std::find(control.options.begin(), control.options.end(), option);
+        const auto k = static_cast<std::size_t>(at - control.options.begin());
+        return k < control.shown.size() ? control.shown[k].c_str() : option.c_str();
+    };
+    const bool open = ImGui::BeginCombo("##choice", said(value));
+    if (!open) explain("open control");
+    if (!open) return false;
+    for (const std::string& option : control.options)
+        if (ImGui::Selectable(said(option), option == control.value)) value = option;
+    ImGui::EndCombo();
+    return value != control.value && setControl(context, control.id, value);
 }
 
 bool drawText(StudioContext& context, const Control& control) {
@@ -85,9 +97,10 @@ bool drawControl(StudioContext& context, const Control& control) {
 bool drawOpenControls(StudioContext& context) {
     const bool restricted = isRestricted(context) && context.teacher->rest != Access::open;
     if (!restricted && !stepNamesControls(context)) return false;
-    heading(mapOf(context.workspace.views[0]).info.title.data());
+    const MapInfo& info = mapOf(context.workspace.views[0]).info;
+    heading(std::string(info.title).c_str());
     ImGui::PushTextWrapPos();
-    ImGui::TextDisabled("%s", std::string(mapOf(context.workspace.views[0]).info.formula).c_str());
+    ImGui::TextDisabled("%s", std::string(info.formula).c_str());
     ImGui::PopTextWrapPos();
     std::string group;
     for (const Control& control : controlsOf(context)) {

@@ -39,7 +39,7 @@ Status takeMotion(StudioContext& context, const std::string& name, const Documen
     Expected<Movie> movie = movieFromDocument(document);
     if (!movie) return movie.status();
     context.openMotion(std::move(movie->animation));
-    context.say("Opened " + name + ": press Shift R to play it");
+    context.say(tr("Opened {1}: press Shift R to play it", {name}));
     return {};
 }
 
@@ -52,7 +52,7 @@ Status openDocument(StudioContext& context, const std::string& name, const Docum
     Expected<Scene> scene = sceneWithAssets(document.body, document.assets);
     if (!scene) return scene.status();
     context.open(workspaceOf(*scene));
-    context.say("Opened " + name);
+    context.say(tr("Opened {1}", {name}));
     return {};
 }
 
@@ -64,7 +64,7 @@ Status takePalette(StudioContext& context, const std::string& name, const Json& 
     colour.ownPalette = paletteToJson(*palette);
     if (colour.rule != "phase" && colour.rule != "domain") colour.rule = "palette";
     context.touch();
-    context.say(name + " is the palette of the marked view");
+    context.say(tr("{1} is the palette of the marked view", {name}));
     return {};
 }
 
@@ -77,7 +77,7 @@ Status takeRoots(StudioContext& context, const std::string& name, const RootList
     const std::string list(info.lists[0]);
     for (Scene& scene : context.workspace.views) scene.lists[list] = roots;
     context.touch();
-    context.say(name + ": " + std::to_string(roots.roots.size()) + " roots");
+    context.say(tr("{1}: {2} roots", {name, std::to_string(roots.roots.size())}));
     return {};
 }
 
@@ -137,9 +137,9 @@ Status takeShape(StudioContext& context, const std::string& name,
     }
     context.open(std::move(next));
     const MapInfo& info = mapOf(context.workspace.view()).info;
-    context.say(fits ? name + " is the shape of this scene now"
-                     : name + " is the shape of " + std::string(info.title) + " now: " + before +
-                           " takes none");
+    context.say(fits ? tr("{1} is the shape of this scene now", {name})
+                     : tr("{1} is the shape of {2} now: {3} takes none",
+                          {name, tr(info.title), tr(std::string_view(before))}));
     return {};
 }
 
@@ -178,14 +178,14 @@ Status takeLayer(StudioContext& context, const std::string& name,
             });
         layer.sources.insert(after, source);
         context.touch();
-        context.say(name + " is one of " + std::to_string(layer.sources.size()) + " frames");
+        context.say(tr("{1} is one of {2} frames", {name, std::to_string(layer.sources.size())}));
         return {};
     }
     if (scene.layers.size() >= kMostLayers)
         return Status::usage("there are " + std::to_string(kMostLayers) + " images already");
     scene.layers.push_back({.sources = {source}});
     context.touch();
-    context.say(name + " lies behind the fractal");
+    context.say(tr("{1} lies behind the fractal", {name}));
     return {};
 }
 
@@ -244,7 +244,7 @@ Status openPlate(StudioContext& context, const std::string& name, const PlateDoc
         workspace.strip = Workspace::Strip::diagram;
     }
     context.open(std::move(workspace));
-    context.say("Opened panel " + first->name + " of the plate " + name);
+    context.say(tr("Opened panel {1} of the plate {2}", {first->name, name}));
     return {};
 }
 
@@ -289,7 +289,10 @@ Status openText(StudioContext& context, const std::string& given) {
         return read ? followTeacherLink(context, *read) : read.status();
     }
     if (text.starts_with("---\n")) return openLessonFile(context, "pasted.en.md", text);
-    if (text[0] == '{') return openJson(context, "the clipboard", text).in("the clipboard");
+    if (text[0] == '{') {
+        const std::string where = tr("the clipboard");
+        return openJson(context, where, text).in(where);
+    }
     if (text.starts_with("file://")) return openFile(context, text.substr(7));
     if (text[0] == '/' && text.find('\n') == std::string::npos) return openFile(context, text);
     if (looksLikeFormula(text) && FormulaMap::make(text)) {

@@ -90,7 +90,7 @@ const CycleStudy& studyCycles(StudioContext& context) {
     const std::optional<System> system = shownSystem(context);
     if (!system || system->dimension() > 2) {
         study = {};
-        study.problem = "Cycles are found for maps of the line and of the plane.";
+        study.problem = trLater("Cycles are found for maps of the line and of the plane.");
         return study;
     }
     const Window window = windowOf(context, dynamicalViewOf(context.workspace));
@@ -137,7 +137,7 @@ const CycleStudy& studyCycles(StudioContext& context) {
             if (!study.coarse)
                 study.problem = found.status().message();
             else if (study.across == 0)
-                study.problem = "Too slow here: take a lower period.";
+                study.problem = trLater("Too slow here: take a lower period.");
         }
         context.host.wake();
     } else if (wanted.manifolds && study.saddlesDone < study.cycles.size() &&

@@ -164,47 +164,50 @@ void Studio::State::drawStatus() {
         return;
     }
     if (context.welcome) {
-        ImGui::TextUnformatted(narrow ? "Drag the ring, then press Points: each point here is a "
-                                        "whole picture there. Or press Draw."
-                                      : "Drag the ring. Every point of the left picture is a whole "
-                                        "picture on the right. Or press D and draw a shape.");
+        ImGui::TextUnformatted(
+            narrow ? tr("Drag the ring, then press Points: each point here is a whole picture "
+                        "there. Or press Draw.")
+                   : tr("Drag the ring. Every point of the left picture is a whole picture on the "
+                        "right. Or press D and draw a shape."));
         return;
     }
-    ImGui::TextDisabled("Ctrl K finds every command, ? lists their keys");
+    ImGui::TextDisabled("%s", tr("Ctrl K finds every command, ? lists their keys"));
 }
 
 // Who draws the focused view, with which precision and why; a click chooses.
 void Studio::State::drawRenderer(float right) {
     const LivePicture& picture =
         context.views[static_cast<std::size_t>(context.workspace.focused)].picture;
-    std::string text = picture.onGraphicsProcessor() ? "Graphics processor, 32 bits"
-                                                     : "Processor, double precision";
+    std::string text = picture.onGraphicsProcessor() ? tr("Graphics processor, 32 bits")
+                                                     : tr("Processor, double precision");
     if (picture.memberGoal() > 0)
-        text = std::to_string(picture.members()) + " of " + std::to_string(picture.memberGoal()) +
-               " sets counted  ·  " + text;
+        text = tr("{1} of {2} sets counted",
+                  {std::to_string(picture.members()), std::to_string(picture.memberGoal())}) +
+               "  ·  " + text;
     if (picture.compiling())
-        text += ", compiling …";
+        text += tr(", compiling …");
     else if (!picture.finished())
-        text += ", refining …";
+        text += tr(", refining …");
     ImGui::SetCursorScreenPos(
         {right - ImGui::CalcTextSize(text.c_str()).x, ImGui::GetCursorScreenPos().y});
     ImGui::TextDisabled("%s", text.c_str());
     if (ImGui::IsItemClicked()) ImGui::OpenPopup("renderer");
     if (!ImGui::IsPopupOpen("renderer") && ImGui::IsItemHovered()) {
-        const std::string why = picture.onGraphicsProcessor()
-                                    ? context.gpu.limits().device
-                                    : "Why the processor: " + picture.whyProcessor();
+        const std::string why =
+            picture.onGraphicsProcessor()
+                ? context.gpu.limits().device
+                : tr("Why the processor: {1}", {trMessage(picture.whyProcessor())});
         ImGui::BeginTooltip();
         ImGui::PushTextWrapPos(26 * ImGui::GetFontSize());
-        ImGui::TextUnformatted((why + ".\nClick to choose who draws.").c_str());
+        ImGui::TextUnformatted((why + ".\n" + tr("Click to choose who draws.")).c_str());
         ImGui::PopTextWrapPos();
         ImGui::EndTooltip();
     }
     if (!ImGui::BeginPopup("renderer")) return;
     const std::pair<RendererChoice, const char*> choices[] = {
-        {RendererChoice::automatic, "Automatic"},
-        {RendererChoice::graphics, "Graphics processor, where 32 bits suffice"},
-        {RendererChoice::processor, "Processor, always in double precision"}};
+        {RendererChoice::automatic, tr("Automatic")},
+        {RendererChoice::graphics, tr("Graphics processor, where 32 bits suffice")},
+        {RendererChoice::processor, tr("Processor, always in double precision")}};
     for (const auto& [choice, name] : choices)
         if (ImGui::MenuItem(name, nullptr, context.renderer == choice)) context.choose(choice);
     ImGui::EndPopup();
@@ -250,18 +253,18 @@ void Studio::State::drawNarrow(ImVec2 low, ImVec2 size) {
     ImGui::SetCursorScreenPos(low);
     for (std::size_t k = 0; k < workspace.views.size(); ++k) {
         if (k) ImGui::SameLine();
-        std::string label = showsParameters(workspace.views[k]) ? "Parameters" : "Points";
-        if (workspace.analysis()) label = k == 0 ? "Set" : std::to_string(k);
+        std::string label = showsParameters(workspace.views[k]) ? tr("Parameters") : tr("Points");
+        if (workspace.analysis()) label = k == 0 ? tr("Set") : std::to_string(k);
         label += "##" + std::to_string(k);
         if (ImGui::Button(label.c_str(), button)) context.mark(static_cast<int>(k));
         explain("view tab");
     }
     ImGui::SameLine();
-    if (ImGui::Button(stripShown ? "View" : "Orbit", button)) stripShown = !stripShown;
+    if (ImGui::Button(stripShown ? tr("View") : tr("Orbit"), button)) stripShown = !stripShown;
     explain("strip tab");
     ImGui::SameLine();
     const bool controls = sheet == Sheet::controls;
-    if (ImGui::Button(controls ? "Close" : "Controls", button))
+    if (ImGui::Button(controls ? tr("Close") : tr("Controls"), button))
         sheet = controls ? Sheet::none : Sheet::controls;
     explain("sheet");
     // A second row where there is no room for more.
@@ -272,14 +275,14 @@ void Studio::State::drawNarrow(ImVec2 low, ImVec2 size) {
         ImGui::SetCursorScreenPos({low.x, ImGui::GetCursorScreenPos().y + bar + 6});
         return bar + 6;
     };
-    float rows = next("Draw");
-    if (ImGui::Button("Draw", button)) chooseTool(context, Drawing::Tool::outline);
+    float rows = next(tr("Draw"));
+    if (ImGui::Button(tr("Draw"), button)) chooseTool(context, Drawing::Tool::outline);
     explain("draw shape");
-    rows += next("Undo");
-    if (ImGui::Button("Undo", button)) context.undo();
+    rows += next(tr("Undo"));
+    if (ImGui::Button(tr("Undo"), button)) context.undo();
     explain("undo");
-    rows += next("Lessons");
-    if (ImGui::Button("Lessons", button)) context.lessons.open = !context.lessons.open;
+    rows += next(tr("Lessons"));
+    if (ImGui::Button(tr("Lessons"), button)) context.lessons.open = !context.lessons.open;
     explain("lessons");
     const bool lesson = context.lessons.open && !context.host.drawsLessons();
     if (lesson && !lessonWasOpen) sheet = Sheet::lesson;

@@ -91,12 +91,12 @@ void copyTeacherLink(StudioContext& context, bool asFrame) {
 
 void drawTeacherDialog(StudioContext& context) {
     TeacherDialog& dialog = context.handing;
-    if (dialog.open && !ImGui::IsPopupOpen("A teacher's link"))
-        ImGui::OpenPopup("A teacher's link");
+    const std::string window = named("A teacher's link");
+    if (dialog.open && !ImGui::IsPopupOpen(window.c_str())) ImGui::OpenPopup(window.c_str());
     const ImGuiViewport& screen = *ImGui::GetMainViewport();
     ImGui::SetNextWindowPos(screen.GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize({std::min(560.0f * context.scale, screen.Size.x * 0.96f), 0});
-    if (!ImGui::BeginPopupModal("A teacher's link", &dialog.open,
+    if (!ImGui::BeginPopupModal(window.c_str(), &dialog.open,
                                 ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
         return;
     TeacherLink& link = dialog.link;
@@ -112,16 +112,18 @@ void drawTeacherDialog(StudioContext& context) {
     std::vector<std::string> names{""};
     for (const StudioTheme& theme : themes()) names.push_back(theme.name);
     choose("theme", "link theme", link.theme, names, "the learner's own");
-    choose("language", "link language", link.language, {"", "en", "es"}, "the learner's own");
+    std::vector<std::string> spoken{""};
+    for (const Language& language : languages()) spoken.push_back(language.id);
+    chooseName("language", "link language", link.language, spoken, "the learner's own");
     if (section("Single controls", !link.named.empty())) drawNames(context);
     ImGui::Spacing();
-    if (ImGui::Button("Copy the link")) copyTeacherLink(context, false);
+    if (ImGui::Button(tr("Copy the link"))) copyTeacherLink(context, false);
     explain("copy teacher link");
     ImGui::SameLine();
-    if (ImGui::Button("Copy a snippet for a web page")) copyTeacherLink(context, true);
+    if (ImGui::Button(tr("Copy a snippet for a web page"))) copyTeacherLink(context, true);
     explain("copy frame");
     ImGui::SameLine();
-    if (ImGui::Button("Close") || ImGui::IsKeyPressed(ImGuiKey_Escape)) dialog.open = false;
+    if (ImGui::Button(tr("Close")) || ImGui::IsKeyPressed(ImGuiKey_Escape)) dialog.open = false;
     explain("close dialog");
     if (!dialog.made.empty()) {
         ImGui::PushTextWrapPos();
