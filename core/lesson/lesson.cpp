@@ -391,8 +391,22 @@ Expected<Lesson> lessonNamed(const std::string& id, const std::string& language)
     return Status::usage("there is no lesson named \"" + id + "\"; there are " + all);
 }
 
+std::vector<double> answerNumbers(const std::string& answer) {
+    // With semicolons between them, or alone, numbers may have decimal commas: "0,5; -0,25".
+    const auto commas = std::count(answer.begin(), answer.end(), ',');
+    if (answer.find(';') == std::string::npos &&
+        !(commas == 1 && answer.find_first_of(". ") == std::string::npos))
+        return numbersOf(answer);
+    std::string pointed = answer;
+    std::replace(pointed.begin(), pointed.end(), ',', '.');
+    std::replace(pointed.begin(), pointed.end(), ';', ',');
+    return numbersOf(pointed);
+}
+
 Expected<Judgement> judge(const Question& question, const std::string& answer) {
-    const std::vector<double> numbers = numbersOf(answer);
+    std::vector<double> numbers = answerNumbers(answer);
+    // "1,2" of a point is two numbers.
+    if (question.kind == AnswerKind::point && numbers.size() == 1) numbers = numbersOf(answer);
     if (question.kind == AnswerKind::choice) {
         if (numbers.size() != 1 || !(numbers[0] >= 1) ||
             !(numbers[0] <= static_cast<double>(question.choices.size())) ||
@@ -404,7 +418,7 @@ Expected<Judgement> judge(const Question& question, const std::string& answer) {
     const std::size_t wanted = question.kind == AnswerKind::point ? 2 : 1;
     if (numbers.size() != wanted)
         return Status::usage(wanted == 2 ? "give two numbers, such as -0.5, 0.25"
-                                         : "give a number");
+                                         : "give a number, such as 0.5");
     double square = 0;
     for (std::size_t k = 0; k < wanted; ++k)
         square += (numbers[k] - question.answer[k]) * (numbers[k] - question.answer[k]);

@@ -97,6 +97,10 @@ Expected<Lesson> parseLesson(std::string_view text, const std::string& name);
 std::vector<std::string> lessonIds();
 Expected<Lesson> lessonNamed(const std::string& id, const std::string& language);
 
+// The numbers of an answer, with decimal points, or with decimal commas where that is clear: "0,5",
+// "0,5; -0,25". Empty where they are none.
+std::vector<double> answerNumbers(const std::string& answer);
+
 // Whether an answer is right, and what it means: the text to say. ErrorKind::usage where it cannot
 // be an answer at all: an index of a choice from 1, a number, or two numbers.
 struct Judgement {

@@ -133,7 +133,7 @@ Status LessonSession::resume(const Json& progress) {
 }
 
 std::string spokenAnswer(const Question& question, const std::string& answer) {
-    const std::vector<double> numbers = numbersOf(answer);
+    const std::vector<double> numbers = answerNumbers(answer);
     if (question.kind == AnswerKind::choice) {
         const std::size_t index = numbers.size() == 1 && numbers[0] >= 1
                                       ? static_cast<std::size_t>(numbers[0]) - 1

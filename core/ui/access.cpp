@@ -41,26 +41,27 @@ void takeWholes(StudioContext& context, const Workspace& wanted) {
 }  // namespace
 
 bool isHarmless(const std::string& command) {
-    constexpr const char* kHarmless[] = {"Undo",
-                                         "Redo",
-                                         "Home",
-                                         "Zoom in",
-                                         "Zoom out",
-                                         "Back to the place before",
-                                         "Forward again",
-                                         "Fill the window with the marked view, or not",
-                                         "Fill the screen, or not",
-                                         "One step on along the orbit",
-                                         "One step back along the orbit",
-                                         "The orbit as a time series",
-                                         "The orbit as a web, where the map has a real line",
-                                         "Bifurcation diagram: the attractor against one parameter",
-                                         "Dark, light or projector colours",
-                                         "Lessons, or none",
-                                         "Lesson: next step",
-                                         "Lesson: step before",
-                                         "Lesson: reset the step",
-                                         "The list of keys"};
+    constexpr const char* kHarmless[] = {
+        trLater("Undo"),
+        trLater("Redo"),
+        trLater("Home"),
+        trLater("Zoom in"),
+        trLater("Zoom out"),
+        trLater("Back to the place before"),
+        trLater("Forward again"),
+        trLater("Fill the window with the marked view, or not"),
+        trLater("Fill the screen, or not"),
+        trLater("One step on along the orbit"),
+        trLater("One step back along the orbit"),
+        trLater("The orbit as a time series"),
+        trLater("The orbit as a web, where the map has a real line"),
+        trLater("Bifurcation diagram: the attractor against one parameter"),
+        trLater("Dark, light or projector colours"),
+        trLater("Lessons, or none"),
+        trLater("Lesson: next step"),
+        trLater("Lesson: step before"),
+        trLater("Lesson: reset the step"),
+        trLater("The list of keys")};
     return command.starts_with("Language: ") ||
            std::any_of(std::begin(kHarmless), std::end(kHarmless),
                        [&](const char* one) { return command == one; });

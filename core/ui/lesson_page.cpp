@@ -50,7 +50,7 @@ Json questionOf(const OpenLesson& lesson, const Question& question, const std::s
     Json json{{"kind", kKinds[static_cast<std::size_t>(question.kind)]},
               {"prompt", plain(question.prompt, language)},
               {"answer", state.answer},
-              {"problem", trMessage(lesson.problem)}};
+              {"problem", tr(std::string_view(lesson.problem))}};
     json["choices"] = Json::array();
     for (std::size_t k = 0; k < question.choices.size(); ++k)
         json["choices"].push_back({{"text", plain(question.choices[k].text, language)},
@@ -118,7 +118,7 @@ std::string lessonText(StudioContext& context) {
         for (const LessonEntry& entry : lessonList(context))
             json["lessons"].push_back({{"id", entry.id},
                                        {"title", entry.title},
-                                       {"level", tr(entry.level.c_str())},
+                                       {"level", entry.level},
                                        {"minutes", entry.minutes},
                                        {"steps", entry.steps},
                                        {"done", entry.done}});

@@ -40,8 +40,9 @@ void drawList(StudioContext& context) {
         if (ImGui::Button(label.c_str(), {-1, 0}))
             context.report(openLesson(context, entry.id, {}));
         explain("lesson");
-        ImGui::TextDisabled("%d min · %s · %d / %d", entry.minutes, tr(entry.level.c_str()),
-                            static_cast<int>(entry.done), static_cast<int>(entry.steps));
+        ImGui::TextDisabled("%s", (std::to_string(entry.minutes) + " min · " + entry.level + " · " +
+                                   std::to_string(entry.done) + " / " + std::to_string(entry.steps))
+                                      .c_str());
         ImGui::PopID();
     }
     ImGui::Spacing();
@@ -118,7 +119,7 @@ void drawQuestion(StudioContext& context, const Question& question) {
     }
     if ((button("Commit", "commit") || enter) && !lesson.typed.empty())
         commitAnswer(context, lesson.typed);
-    if (!lesson.problem.empty()) drawParagraph(trMessage(lesson.problem));
+    if (!lesson.problem.empty()) drawParagraph(tr(std::string_view(lesson.problem)));
     if (state.answer.empty()) return;
     ImGui::Spacing();
     drawParagraph(tr("Your answer: {1}", {spokenAnswer(question, state.answer)}));

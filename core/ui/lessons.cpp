@@ -153,13 +153,24 @@ void beginLessonAgain(StudioContext& context) {
     enter(context);
 }
 
+namespace {
+
+// Why an answer is none.
+const char* wantedOf(const Question& question) {
+    if (question.kind == AnswerKind::choice) return trLater("Choose one of the answers.");
+    return question.kind == AnswerKind::number ? trLater("Give a number, such as 0.5.")
+                                               : trLater("Give two numbers, such as -0.5, 0.25.");
+}
+
+}  // namespace
+
 void commitAnswer(StudioContext& context, const std::string& answer) {
-    if (!context.lessons.now) return;
+    if (!context.lessons.now || !context.lessons.now->session.step().question) return;
     OpenLesson& lesson = *context.lessons.now;
     const Expected<Judgement> judged = lesson.session.commit(answer);
-    lesson.problem = judged ? "" : judged.status().message();
+    lesson.problem = judged ? "" : wantedOf(*lesson.session.step().question);
     if (!judged) {
-        context.host.announce(trMessage(lesson.problem));
+        context.host.announce(tr(lesson.problem.c_str()));
         return context.host.wake();
     }
     lesson.typed = answer;
@@ -255,7 +266,7 @@ void drawLessonMarks(StudioContext& context, int view, const ViewPlane& plane, I
     const LessonSession& session = context.lessons.now->session;
     const std::optional<Question>& question = session.step().question;
     if (!question || question->kind != AnswerKind::point || question->view != view) return;
-    const std::vector<double> answer = numbersOf(session.state().answer);
+    const std::vector<double> answer = answerNumbers(session.state().answer);
     const auto mark = [&](double x, double y, MarkShape shape, const char* word, ImU32 colour) {
         const ImVec2 at = plane.at(x, y);
         drawMark(list, at, 10 * context.scale, shape, colour);

@@ -101,9 +101,10 @@ void drawTeacherDialog(StudioContext& context) {
         return;
     TeacherLink& link = dialog.link;
     if (context.lessons.now && context.lessons.now->own) {
-        std::string what = dialog.withLesson ? "this step of the lesson" : "this view";
-        if (choose("opens", "link opens", what, {"this step of the lesson", "this view"}))
-            dialog.withLesson = what != "this view";
+        const std::vector<std::string> both = {trLater("this step of the lesson"),
+                                               trLater("this view")};
+        std::string what = both[dialog.withLesson ? 0 : 1];
+        if (choose("opens", "link opens", what, both)) dialog.withLesson = what == both[0];
     }
     std::string rest = restOf(link);
     std::vector<std::string> words = restWords();

@@ -134,10 +134,13 @@ void drawMark(ImDrawList& list, ImVec2 at, float size, MarkShape shape, ImU32 co
     list.AddCircleFilled(at, size * 0.28f, colour);
 }
 
-void drawText(ImDrawList& list, ImVec2 at, ImU32 colour, const std::string& text) {
+void drawText(ImDrawList& list, ImVec2 at, ImU32 colour, const std::string& text, float wrap) {
+    const auto write = [&](ImVec2 place, ImU32 ink) {
+        list.AddText(nullptr, 0, place, ink, text.c_str(), nullptr, wrap);
+    };
     for (const ImVec2 step : {ImVec2{-1, 0}, ImVec2{1, 0}, ImVec2{0, -1}, ImVec2{0, 1}})
-        list.AddText({at.x + step.x, at.y + step.y}, kHalo, text.c_str());
-    list.AddText(at, colour, text.c_str());
+        write({at.x + step.x, at.y + step.y}, kHalo);
+    write(at, colour);
 }
 
 }  // namespace versorium

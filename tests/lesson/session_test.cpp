@@ -77,6 +77,13 @@ TEST(LessonSession, PointsAreAnsweredInWordsInNumbersAndByARegion) {
     EXPECT_FALSE(judge(question, "5, 5")->right);
     EXPECT_TRUE(judge(question, "11, 0")->right);
     EXPECT_EQ(rightAnswer(question), "1, 2");
+    // With decimal commas, where that is clear.
+    EXPECT_TRUE(judge(question, "1,05; 2")->right);
+    EXPECT_TRUE(judge(question, "1,2")->right) << "two numbers";
+    EXPECT_TRUE(judge(*one.lesson().steps[0].question, "0,25")->right);
+    EXPECT_EQ(answerNumbers("0,5"), std::vector<double>{0.5});
+    EXPECT_EQ(answerNumbers("-0,5; 2"), (std::vector<double>{-0.5, 2}));
+    EXPECT_TRUE(answerNumbers("0,5,2").size() == 3);
 }
 
 TEST(LessonSession, IsKeptAndResumed) {
