@@ -216,6 +216,14 @@ EMSCRIPTEN_KEEPALIVE void page_mark_view(int view) {
     page->studio.markView(view);
 }
 
+// The lesson's pane, as JSON and by its buttons: ui/lessons.h.
+EMSCRIPTEN_KEEPALIVE const char* page_lesson() { return kept(page->studio.lesson()); }
+EMSCRIPTEN_KEEPALIVE int page_lesson_do(const char* action, const char* value) {
+    page->settle = kSettle;
+    return page->studio.lessonDo(action, value) ? 1 : 0;
+}
+EMSCRIPTEN_KEEPALIVE const char* page_lesson_ring() { return kept(page->studio.lessonRing()); }
+
 EMSCRIPTEN_KEEPALIVE const char* page_fragment() { return kept(page->studio.fragment()); }
 EMSCRIPTEN_KEEPALIVE int page_frames_drawn() { return page->frames; }
 EMSCRIPTEN_KEEPALIVE int page_typing() { return page->typing ? 1 : 0; }

@@ -122,9 +122,9 @@ class Reader {
                 return Status::data(at(block.line) + "a step begins with \"## \" and its title");
             if (!lesson_.steps.empty())
                 if (Status status = endStep(); !status.ok()) return status;
-            if (lesson_.steps.size() == kMostSteps)
+            if (lesson_.steps.size() == kMostLessonSteps)
                 return Status::data(at(block.line) + "there are more than " +
-                                    std::to_string(kMostSteps) + " steps");
+                                    std::to_string(kMostLessonSteps) + " steps");
             LessonStep next;
             next.title = plainText(block);
             next.line = block.line;
@@ -152,7 +152,9 @@ class Reader {
             return {};
         }
         if (kind == "controls") {
-            step().controls = split(block.text);
+            Expected<std::vector<std::string>> names = linesOf(block.text, first);
+            if (!names) return names.status();
+            step().controls = std::move(*names);
             return {};
         }
         if (kind == "ask") return takeQuestion(block.text, first);
@@ -200,6 +202,33 @@ class Reader {
         return {};
     }
 
+    // Names, one to a line; ids of controls may have spaces.
+    static Expected<std::vector<std::string>> linesOf(const std::string& text, int first) {
+        std::vector<std::string> names;
+        for (std::size_t begin = 0; begin < text.size(); ++first) {
+            const std::size_t end = std::min(text.find('\n', begin), text.size());
+            const std::string name = trimmed(text.substr(begin, end - begin));
+            begin = end + 1;
+            if (name.empty()) continue;
+            if (names.size() == kMostControls)
+                return Status::data(at(first) + "there are more than " +
+                                    std::to_string(kMostControls) + " controls");
+            names.push_back(name);
+        }
+        return names;
+    }
+
+    // A point's line: "- words => x, y".
+    static Status placeOf(const std::string& line, int number, Question& question) {
+        const std::size_t arrow = line.find("=>");
+        const std::vector<double> place =
+            arrow == std::string::npos ? std::vector<double>() : numbersOf(line.substr(arrow + 2));
+        if (place.size() != 2)
+            return Status::data(at(number) + "a place of a point is \"- words => x, y\"");
+        question.places.push_back({trimmed(line.substr(1, arrow - 1)), place[0], place[1]});
+        return {};
+    }
+
     // A choice's line: "- text => what it means", "+ text" where it is right.
     static Question::Choice choiceOf(const std::string& line) {
         Question::Choice choice;
@@ -213,15 +242,20 @@ class Reader {
     Status takeQuestion(const std::string& text, int first) {
         if (step().question) return Status::data(at(first - 1) + "a step has one ask at most");
         Question question;
+        const bool ofPlaces = trimmed(text).starts_with("point");
         std::string keyed;  // the other lines, with choices left blank so that lines still count
         std::size_t begin = 0;
-        while (begin < text.size()) {
+        for (int number = first; begin < text.size(); ++number) {
             const std::size_t end = std::min(text.find('\n', begin), text.size());
             const std::string line = trimmed(text.substr(begin, end - begin));
             begin = end + 1;
             const bool isChoice =
                 line.size() > 2 && (line[0] == '-' || line[0] == '+') && line[1] == ' ';
-            if (isChoice) question.choices.push_back(choiceOf(line));
+            if (isChoice && ofPlaces) {
+                if (Status status = placeOf(line, number, question); !status.ok()) return status;
+            } else if (isChoice) {
+                question.choices.push_back(choiceOf(line));
+            }
             keyed += (isChoice ? std::string() : line) + "\n";
         }
         Expected<std::vector<StageLine>> lines = readLines(keyed, first);
@@ -247,6 +281,10 @@ class Reader {
                 if (numbers.size() != 1 || !(numbers[0] >= 0))
                     return Status::data(where + "tolerance must be a number that is not negative");
                 question.tolerance = numbers[0];
+            } else if (line.key == "within") {
+                Expected<Condition> within = parseCondition(line.value, isAnswerName);
+                if (!within) return Status::data(where + within.status().message());
+                question.within = std::move(*within);
             } else if (line.key == "view") {
                 if (line.value != "left" && line.value != "right")
                     return Status::data(where + "view must be left or right");
@@ -260,17 +298,19 @@ class Reader {
                 question.meanings.push_back({std::move(*when), line.value});
             } else {
                 return Status::data(where + "\"" + line.key +
-                                    "\" is none of choice, number, point, answer, tolerance, view, "
-                                    "right and when …");
+                                    "\" is none of choice, number, point, answer, tolerance, "
+                                    "within, view, right and when …");
             }
         }
         if (question.prompt.empty())
             return Status::data(at(first - 1) +
                                 "ask begins with choice, number or point and the question");
+        if (std::max(question.choices.size(), question.places.size()) > kMostChoices)
+            return Status::data(at(first - 1) + "there are more than eight choices");
         if (question.kind == AnswerKind::choice) {
             const auto right = std::count_if(question.choices.begin(), question.choices.end(),
                                              [](const auto& choice) { return choice.right; });
-            if (question.choices.size() < 2 || question.choices.size() > kMostChoices || right == 0)
+            if (question.choices.size() < 2 || right == 0)
                 return Status::data(at(first - 1) +
                                     "a choice has 2 to 8 lines \"- text => meaning\", and \"+\" "
                                     "before one that is right");
@@ -351,8 +391,22 @@ Expected<Lesson> lessonNamed(const std::string& id, const std::string& language)
     return Status::usage("there is no lesson named \"" + id + "\"; there are " + all);
 }
 
+std::vector<double> answerNumbers(const std::string& answer) {
+    // With semicolons between them, or alone, numbers may have decimal commas: "0,5; -0,25".
+    const auto commas = std::count(answer.begin(), answer.end(), ',');
+    if (answer.find(';') == std::string::npos &&
+        !(commas == 1 && answer.find_first_of(". ") == std::string::npos))
+        return numbersOf(answer);
+    std::string pointed = answer;
+    std::replace(pointed.begin(), pointed.end(), ',', '.');
+    std::replace(pointed.begin(), pointed.end(), ';', ',');
+    return numbersOf(pointed);
+}
+
 Expected<Judgement> judge(const Question& question, const std::string& answer) {
-    const std::vector<double> numbers = numbersOf(answer);
+    std::vector<double> numbers = answerNumbers(answer);
+    // "1,2" of a point is two numbers.
+    if (question.kind == AnswerKind::point && numbers.size() == 1) numbers = numbersOf(answer);
     if (question.kind == AnswerKind::choice) {
         if (numbers.size() != 1 || !(numbers[0] >= 1) ||
             !(numbers[0] <= static_cast<double>(question.choices.size())) ||
@@ -364,16 +418,18 @@ Expected<Judgement> judge(const Question& question, const std::string& answer) {
     const std::size_t wanted = question.kind == AnswerKind::point ? 2 : 1;
     if (numbers.size() != wanted)
         return Status::usage(wanted == 2 ? "give two numbers, such as -0.5, 0.25"
-                                         : "give a number");
+                                         : "give a number, such as 0.5");
     double square = 0;
     for (std::size_t k = 0; k < wanted; ++k)
         square += (numbers[k] - question.answer[k]) * (numbers[k] - question.answer[k]);
     // The last digit of a decimal is no reason to be wrong.
     const double slack = 1e-9 * (1 + std::fabs(question.answer[0]) + std::fabs(question.answer[1]));
-    if (std::sqrt(square) <= question.tolerance + slack) return Judgement{true, question.praise};
     const auto value = [&](const std::string& name) {
         return numbers[name == "y" ? wanted - 1 : 0];
     };
+    if (std::sqrt(square) <= question.tolerance + slack ||
+        (question.within && holds(*question.within, value)))
+        return Judgement{true, question.praise};
     for (const Question::Meaning& meaning : question.meanings)
         if (holds(meaning.when, value)) return Judgement{false, meaning.text};
     return Judgement{false, ""};
@@ -393,6 +449,9 @@ std::vector<std::string> faultsOf(const Lesson& lesson) {
         if (words > kMostWords)
             faults.push_back(at(step.line) + "the text of this step has " + std::to_string(words) +
                              " words, more than " + std::to_string(kMostWords));
+        if (step.question)
+            for (const Question::Place& place : step.question->places)
+                tooLong(step.line, place.text, kChoiceCharacters);
         if (step.question)
             for (const Question::Choice& choice : step.question->choices) {
                 tooLong(step.line, choice.text, kChoiceCharacters);

@@ -15,9 +15,10 @@
 
 namespace versorium {
 
-inline constexpr std::size_t kMostSteps = 40;
+inline constexpr std::size_t kMostLessonSteps = 40;
 inline constexpr std::size_t kMostHints = 8;
 inline constexpr std::size_t kMostChoices = 8;
+inline constexpr std::size_t kMostControls = 64;
 // Of a title and of a choice, in characters: what a phone shows without a wall of text.
 inline constexpr std::size_t kTitleCharacters = 60, kChoiceCharacters = 140;
 // Of the prose of one step, in words.
@@ -38,7 +39,15 @@ struct Question {
     // A number, or a point (x, y) of a view, is right within the tolerance.
     double answer[2] = {};
     double tolerance = 0;
+    // … or where this holds of x and y: a region.
+    std::optional<Condition> within;
     int view = 0;  // of a point
+    // Points by their names, so that one can be answered in words.
+    struct Place {
+        std::string text;
+        double x = 0, y = 0;
+    };
+    std::vector<Place> places;
     // What a number would have meant, by conditions on it: the first that holds.
     struct Meaning {
         Condition when;  // names "answer"; of a point "x" and "y"
@@ -59,7 +68,9 @@ struct LessonStep {
     int line = 0;
     std::vector<MarkdownBlock> prose;
     Workspace stage;  // the teacher's state
-    // Ids of the controls that are open to the learner (ui/controls.h); all where there are none.
+    // The controls that are open to the learner: ids of ui/controls.h, a parameter's name for all
+    // of its numbers, or "point" for all of the starting point's. All controls where there are
+    // none.
     std::vector<std::string> controls;
     std::optional<Question> question;
     std::optional<Goal> goal;
@@ -85,6 +96,10 @@ Expected<Lesson> parseLesson(std::string_view text, const std::string& name);
 // them, in English where there is none in that language.
 std::vector<std::string> lessonIds();
 Expected<Lesson> lessonNamed(const std::string& id, const std::string& language);
+
+// The numbers of an answer, with decimal points, or with decimal commas where that is clear: "0,5",
+// "0,5; -0,25". Empty where they are none.
+std::vector<double> answerNumbers(const std::string& answer);
 
 // Whether an answer is right, and what it means: the text to say. ErrorKind::usage where it cannot
 // be an answer at all: an index of a choice from 1, a number, or two numbers.

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "lesson/lesson_plate.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "fields/evaluate.h"
 #include "plate/markup.h"
+#include "render/bind.h"
+#include "render/system_of.h"
+#include "workspace/diagram.h"
 #include "workspace/export_document.h"
 
 namespace versorium {
@@ -21,6 +28,119 @@ std::string markupOf(const std::vector<MarkdownBlock>& blocks) {
     return text;
 }
 
+std::optional<OrbitProgram> bound(const Scene& scene) {
+    Binder binder;
+    if (binder.missingGrid(scene)) return {};
+    Job job(1);
+    Expected<OrbitProgram> program = binder.bind(scene, job);
+    if (!program) return {};
+    return std::move(*program);
+}
+
+std::vector<double> orbitValues(const Workspace& workspace) {
+    const Scene scene = orbitScene(workspace);
+    const std::optional<OrbitProgram> program = bound(scene);
+    if (!program) return {};
+    const double start[3] = {scene.slice.centre[0], 0, 0};
+    std::vector<double> values;
+    for (const auto& state : orbitOf(*program, start, workspace.orbitSteps))
+        if (std::isfinite(state[0])) values.push_back(state[0]);
+    return values;
+}
+
+// The orbit of a map of the line as a time series.
+LinePlot seriesOf(const Workspace& workspace) {
+    LinePlot plot{.aspect = 2, .x = {.name = "step"}};
+    plot.y.name = stateComponent(mapOf(workspace.views[0]).info, 0);
+    PlotLine line{.style = "both"};
+    for (const double value : orbitValues(workspace)) {
+        line.x.push_back(static_cast<double>(line.x.size()));
+        line.y.push_back(value);
+    }
+    plot.lines.push_back(std::move(line));
+    return plot;
+}
+
+// The same as a web between the graph of the map and the diagonal.
+LinePlot webOf(const Workspace& workspace) {
+    constexpr int kGraph = 200;
+    const std::string x = stateComponent(mapOf(workspace.views[0]).info, 0);
+    LinePlot plot{.aspect = 1, .x = {.name = x}, .y = {.name = x + "′"}};
+    const std::vector<double> orbit = orbitValues(workspace);
+    double low = 0, high = 1;
+    for (const double value : orbit) low = std::min(low, value), high = std::max(high, value);
+    PlotLine graph, web;
+    Workspace other = workspace;
+    other.orbitSteps = 1;
+    for (int k = 0; k <= kGraph; ++k) {
+        other.point[0] = low + (high - low) * k / kGraph;
+        const std::vector<double> one = orbitValues(other);
+        if (one.size() < 2) continue;
+        graph.x.push_back(one[0]);
+        graph.y.push_back(one[1]);
+    }
+    for (std::size_t k = 0; k + 1 < orbit.size(); ++k) {
+        web.x.insert(web.x.end(), {orbit[k], orbit[k]});
+        web.y.insert(web.y.end(), {k == 0 ? low : orbit[k], orbit[k + 1]});
+    }
+    plot.lines = {{"\\italic{f}", "line", graph.x, graph.y},
+                  {"", "line", {low, high}, {low, high}},
+                  {"orbit", "line", web.x, web.y}};
+    return plot;
+}
+
+void makeDiagram(const Workspace& workspace, PlatePanel& panel, Json& assets) {
+    const Workspace::Diagram diagram = diagramOf(workspace);
+    const Scene scene = diagramScene(workspace);
+    panel.kind = PanelKind::diagram;
+    panel.scene = withoutAssets(sceneToJson(scene), assets);
+    panel.diagram.parameter = diagram.number;
+    panel.diagram.from = diagram.left;
+    panel.diagram.to = diagram.right;
+    Binder binder;
+    Job job(1);
+    const Expected<OrbitProgram> program =
+        programAlong(binder, scene, {{{diagram.number, 1.0}}}, job);
+    if (!program) return;
+    DiagramOptions options{.left = diagram.left, .right = diagram.right};
+    fitDiagramHeight(*program, options);
+    panel.diagram.low = options.low;
+    panel.diagram.high = options.high;
+}
+
+// What stands below the views, where a figure can show it.
+std::optional<PlatePanel> stripPanel(const Workspace& workspace, PlateDocument& document) {
+    const MapKernels& map = mapOf(workspace.views[0]);
+    PlatePanel panel;
+    panel.name = static_cast<char>('a' + document.plate.panels.size());
+    switch (workspace.strip) {
+        case Workspace::Strip::series:
+        case Workspace::Strip::web: {
+            // Orbits in the plane are seen in the views themselves.
+            if (map.dimension != 1 || bound(orbitScene(workspace)) == std::nullopt) return {};
+            panel.kind = PanelKind::plot;
+            const bool web = workspace.strip == Workspace::Strip::web;
+            panel.title = web ? "The orbit as a web" : "The orbit, step by step";
+            panel.plot = web ? webOf(workspace) : seriesOf(workspace);
+            return panel;
+        }
+        case Workspace::Strip::diagram:
+            if (diagramNumber(workspace).empty()) return {};
+            panel.title = "Bifurcation diagram";
+            makeDiagram(workspace, panel, document.assets);
+            return panel;
+        case Workspace::Strip::profile:
+            if (!map.info.field) return {};
+            panel.kind = PanelKind::profile;
+            panel.title = "Mean of φ over the radius";
+            panel.scene =
+                withoutAssets(sceneToJson(workspace.views[workspace.speaker()]), document.assets);
+            return panel;
+        default:
+            return {};
+    }
+}
+
 }  // namespace
 
 PlateDocument plateOfStep(const Lesson& lesson, std::size_t step) {
@@ -38,11 +158,13 @@ PlateDocument plateOfStep(const Lesson& lesson, std::size_t step, const Workspac
     if (what.goal) document.plate.caption += " \\bold{" + escapeMarkup(what.goal->text) + "}";
     document.plate.note = "Versorium · " + escapeMarkup(lesson.title) + ", " +
                           std::to_string(step + 1) + " / " + std::to_string(lesson.steps.size());
+    if (std::optional<PlatePanel> strip = stripPanel(shown, document))
+        document.plate.panels.push_back(std::move(*strip));
     // Where the numbers of a plane of starting points lie among the parameters.
     std::vector<PlatePanel>& panels = document.plate.panels;
-    for (std::size_t k = 0; k < panels.size(); ++k)
-        if (panels.size() == shown.views.size() && showsParameters(shown.views[k]))
-            for (std::size_t other = 0; other < panels.size(); ++other)
+    for (std::size_t k = 0; k < shown.views.size(); ++k)
+        if (!shown.maximised && showsParameters(shown.views[k]))
+            for (std::size_t other = 0; other < shown.views.size(); ++other)
                 if (!showsParameters(shown.views[other]))
                     panels[k].marks.push_back({panels[other].name, ""});
     return document;

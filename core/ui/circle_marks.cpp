@@ -28,9 +28,9 @@ ImU32 colourOf(CircleFate fate) {
 }
 ImU32 haloOf(CircleFate fate) { return fate == CircleFate::escapes ? kLight : kHalo; }
 const char* wordOf(CircleFate fate) {
-    return fate == CircleFate::captured  ? "captured"
-           : fate == CircleFate::escapes ? "escapes"
-                                         : "the versor decides";
+    return fate == CircleFate::captured  ? tr("captured")
+           : fate == CircleFate::escapes ? tr("escapes")
+                                         : tr("the versor decides");
 }
 
 // Where states lie in the window.
@@ -104,7 +104,7 @@ void drawBasins(StudioContext& context, const Places& places, const ViewPlane& p
                                  IM_COL32(255, 255, 255, 60));
         closedLine(list, inner, kHalo, 3.2f * scale);
         closedLine(list, inner, kWhite, 1.2f * scale);
-        below(list, inner, plane, scale, "kept: |x| ≤ " + formatNumber(basins.capture, 3));
+        below(list, inner, plane, scale, tr("kept: |x| ≤ {1}", {shownNumber(basins.capture, 3)}));
     }
     const double radius = context.orbitProgram() ? context.orbitProgram()->escapeRadius : 0;
     if (!(basins.escape < radius)) return;
@@ -131,7 +131,7 @@ void drawBasins(StudioContext& context, const Places& places, const ViewPlane& p
     list.Flags = before;
     closedLine(list, outer, kLight, 3.2f * scale);
     closedLine(list, outer, kBlack, 1.2f * scale);
-    below(list, outer, plane, scale, "leaves: |x| > " + formatNumber(basins.escape, 3));
+    below(list, outer, plane, scale, tr("leaves: |x| > {1}", {shownNumber(basins.escape, 3)}));
 }
 
 void drawOne(StudioContext& context, const Workspace::Circle& circle, const CircleStudy& study,
@@ -170,13 +170,13 @@ void drawOne(StudioContext& context, const Workspace::Circle& circle, const Circ
     }
     // The words stand at the circle's top, within the view.
     std::string words = wordOf(study.fate);
-    if (study.certain) words += " for certain";
-    if (study.fate == CircleFate::decided) words += ": " + formatNumber(100 * study.stay, 3) + " %";
+    if (study.certain) words = tr("{1} for certain", {words});
+    if (study.fate == CircleFate::decided) words += ": " + shownNumber(100 * study.stay, 3) + " %";
     if (chosen)
         words +=
-            ", |x| = " + formatNumber(study.high, 3) + ", |f(x)| = " +
-            (study.oneModulus ? formatNumber(study.most, 3)
-                              : formatNumber(study.least, 3) + " … " + formatNumber(study.most, 3));
+            ", |x| = " + shownNumber(study.high, 3) + ", |f(x)| = " +
+            (study.oneModulus ? shownNumber(study.most, 3)
+                              : shownNumber(study.least, 3) + " … " + shownNumber(study.most, 3));
     const ImVec2 top = *std::min_element(
         ring.begin(), ring.end(), [](const ImVec2& a, const ImVec2& b) { return a.y < b.y; });
     const float wide = ImGui::CalcTextSize(words.c_str()).x;

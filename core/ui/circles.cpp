@@ -80,23 +80,26 @@ CircleStudy studyCircle(const System& system, const Workspace::Circle& circle,
 }
 
 std::string sentenceOf(const CircleStudy& study) {
+    const std::string count = std::to_string(study.iterations);
     const std::string steps =
-        std::to_string(study.iterations) + (study.iterations == 1 ? " step" : " steps");
+        study.iterations == 1 ? tr("{1} step", {count}) : tr("{1} steps", {count});
     const std::string points = std::to_string(study.from.size());
     switch (study.fate) {
         case CircleFate::captured:
             return study.certain
-                       ? "captured for certain: it lies in the ball around 0 that keeps "
-                         "every orbit, whatever d is"
-                       : "captured: none of its " + points + " points escapes within " + steps;
+                       ? tr("captured for certain: it lies in the ball around 0 that keeps "
+                            "every orbit, whatever d is")
+                       : tr("captured: none of its {1} points escapes within {2}", {points, steps});
         case CircleFate::escapes:
             return study.certain
-                       ? "escapes for certain: it lies where every orbit leaves, whatever d is"
-                       : "escapes: all of its " + points + " points leave within " + steps;
+                       ? tr("escapes for certain: it lies where every orbit leaves, whatever d is")
+                       : tr("escapes: all of its {1} points leave within {2}", {points, steps});
         default:
-            return (study.oneModulus ? "the versor decides: |f| is the same all along, and "
-                                     : "the versor decides: ") +
-                   formatNumber(100 * study.stay, 3) + " % of its points stay for " + steps;
+            return tr(study.oneModulus ? trLater("the versor decides: |f| is the same all along, "
+                                                 "and {1} % of its points stay for {2}")
+                                       : trLater("the versor decides: {1} % of its points stay for "
+                                                 "{2}"),
+                      {shownNumber(100 * study.stay, 3), steps});
     }
 }
 
@@ -160,7 +163,7 @@ std::string describeCircles(StudioContext& context) {
     const std::vector<CircleStudy>& all = studyCircles(context, view);
     std::string text;
     for (std::size_t k = 0; k < all.size(); ++k)
-        text += " Circle " + std::to_string(k + 1) + ": " + sentenceOf(all[k]) + ".";
+        text += " " + tr("Circle {1}: {2}.", {std::to_string(k + 1), sentenceOf(all[k])});
     return text;
 }
 
@@ -168,8 +171,8 @@ void dropCircle(StudioContext& context) {
     Workspace& workspace = context.workspace;
     if (!takesCircles(workspace)) return context.say("Circles are for complex and quaternion maps");
     if (workspace.circles.size() >= kMostCircles)
-        return context.say("There are " + std::to_string(kMostCircles) +
-                           " circles already: take one away first");
+        return context.say(tr("There are {1} circles already: take one away first",
+                              {std::to_string(kMostCircles)}));
     Point through{};
     std::copy_n(workspace.point.begin(), std::min<std::size_t>(4, workspace.point.size()),
                 through.begin());

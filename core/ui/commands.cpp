@@ -6,11 +6,13 @@
 #include "imgui.h"
 #include "plate/plate_picture.h"
 #include "render/movie.h"
+#include "ui/access.h"
 #include "ui/context.h"
 #include "ui/ensemble_change.h"
 #include "ui/help.h"
 #include "ui/keys.h"
 #include "ui/open_file.h"
+#include "ui/panel_parts.h"
 #include "ui/planar_change.h"
 #include "ui/root_marks.h"
 #include "ui/shape_change.h"
@@ -147,11 +149,11 @@ std::vector<Command> commandsOf(StudioContext& context) {
              c->workspace.arrows = !c->workspace.arrows;
              c->touch();
          }},
-        {"The orbit as a time series", "", [c] { c->strip = StudioContext::Strip::series; }},
+        {"The orbit as a time series", "", [c] { c->show(StudioContext::Strip::series); }},
         {"The orbit as a web, where the map has a real line", "",
-         [c] { c->strip = StudioContext::Strip::web; }},
+         [c] { c->show(StudioContext::Strip::web); }},
         {"Bifurcation diagram: the attractor against one parameter", "",
-         [c] { c->strip = StudioContext::Strip::diagram; }},
+         [c] { c->show(StudioContext::Strip::diagram); }},
         {"Fixed points and cycles, or none", "",
          [c] { c->workspace.study.cycles = !c->workspace.study.cycles, c->touch(); }},
         {"Manifolds of saddles, or none", "",
@@ -225,13 +227,36 @@ std::vector<Command> commandsOf(StudioContext& context) {
              c->host.wake();
          }},
         {"Who draws: automatic, graphics processor or processor", "G", [c] { c->nextRenderer(); }},
+        {"Lessons, or none", "L",
+         [c] {
+             c->lessons.open = !c->lessons.open;
+             c->host.wake();
+         }},
+        {"Lesson: next step", "Page Down",
+         [c] {
+             if (c->lessons.now) goToStep(*c, c->lessons.now->session.at() + 1);
+         }},
+        {"Lesson: step before", "Page Up",
+         [c] {
+             if (c->lessons.now && c->lessons.now->session.at() > 0)
+                 goToStep(*c, c->lessons.now->session.at() - 1);
+         }},
+        {"Lesson: reset the step", "", [c] { resetStep(*c); }},
+        {"A teacher's link to this lesson or view", "", [c] { openTeacherDialog(*c); }},
         {"The list of keys", "?", [c] { c->keysOpen = !c->keysOpen; }},
     };
     for (Command& command : ensembleCommands(context)) all.push_back(std::move(command));
     for (int k = 0; k < kMostViews; ++k)
-        all.push_back({"Mark view " + std::to_string(k + 1), std::to_string(k + 1), [c, k] {
+        all.push_back({"Mark view " + std::to_string(k + 1), std::to_string(k + 1),
+                       [c, k] {
                            if (k < static_cast<int>(c->workspace.views.size())) c->mark(k);
-                       }});
+                       },
+                       tr("Mark view {1}", {std::to_string(k + 1)})});
+    for (const Language& language : languages())
+        all.push_back({"Language: " + language.name, "", [c, id = language.id] { c->speak(id); },
+                       tr("Language: {1}", {language.name})});
+    if (isRestricted(context))
+        std::erase_if(all, [](const Command& command) { return !isHarmless(command.name); });
     return all;
 }
 
@@ -279,6 +304,9 @@ void handleKeys(StudioContext& context) {
     if (pressed(ImGuiKey_P, false)) run("P");
     if (pressed(ImGuiKey_R, false)) run(shifted(ImGuiKey_R) ? "Shift R" : "R");
     if (pressed(ImGuiKey_K, false)) run("K");
+    if (pressed(ImGuiKey_L, false)) run("L");
+    if (pressed(ImGuiKey_PageDown, false)) run("Page Down");
+    if (pressed(ImGuiKey_PageUp, false)) run("Page Up");
     if (pressed(ImGuiKey_S, false)) run(shifted(ImGuiKey_S) ? "Shift S" : "S");
     if (pressed(ImGuiKey_T, false)) run("T");
     if (pressed(ImGuiKey_Space, false)) run(shifted(ImGuiKey_Space) ? "Shift Space" : "Space");
@@ -296,90 +324,109 @@ void handleKeys(StudioContext& context) {
 
 namespace {
 
+// An entry of the search about something that has a name, which is found by both languages.
+Command said(const char* sentence, const std::string& name, std::function<void()> run) {
+    return {name, "", std::move(run), tr(sentence, {tr(std::string_view(name))})};
+}
+
+// What can be found: all that opens something, and all commands.
+std::vector<Command> entriesFor(StudioContext& context, const char* question) {
+    if (isRestricted(context)) return commandsOf(context);
+    std::vector<Command> entries;
+    for (const LessonEntry& lesson : lessonList(context))
+        entries.push_back(said("Lesson: {1}", lesson.title, [&context, id = lesson.id] {
+            context.report(openLesson(context, id, {}));
+        }));
+    for (const std::string& name : presetNames())
+        entries.push_back(said("Preset: {1}", name, [&context, name] {
+            Expected<Scene> scene = presetNamed(name);
+            if (!scene) return context.report(scene.status());
+            context.open(workspaceOf(*scene));
+        }));
+    for (const std::string& name : setPresets())
+        entries.push_back(said("Analysis: {1}", name, [&context, name] {
+            Expected<Scene> scene = presetNamed(name);
+            if (!scene) return context.report(scene.status());
+            Workspace workspace = workspaceOf(*scene);
+            setAnalysis(workspace);
+            context.open(std::move(workspace));
+        }));
+    for (const std::string& name : animationNames())
+        entries.push_back(said("Motion: {1}", name, [&context, name] {
+            Expected<Movie> movie = animationNamed(name);
+            if (!movie) return context.report(movie.status());
+            context.openMotion(std::move(movie->animation));
+            context.play(true);
+        }));
+    for (const Gallery::Entry& entry : context.gallery.recent())
+        entries.push_back(said("Recent: {1}", shownTitle(entry), [&context, link = entry.link] {
+            Expected<Workspace> workspace = workspaceFromLink(link);
+            if (!workspace) return context.report(workspace.status());
+            context.open(std::move(*workspace));
+        }));
+    for (const MapKernels& map : catalogue()) {
+        const std::string name(map.info.name);
+        entries.push_back(said("Map: {1}", tr(map.info.title) + "  (" + name + ")",
+                               [&context, name] { context.newMap(name); }));
+    }
+    for (Command& command : commandsOf(context)) entries.push_back(std::move(command));
+    for (const std::string& name : plateNames()) {
+        entries.push_back(said("Plate: {1}, its first panel", name, [&context, name] {
+            const Expected<PlateDocument> plate = plateNamed(name);
+            if (!plate) return context.report(plate.status());
+            context.report(openPlate(context, name, *plate));
+        }));
+        entries.push_back(said("Export the plate {1}", name, [&context, name] {
+            context.exporting.plate = true;
+            context.exporting.motion = false;
+            context.exporting.builtIn = name;
+            context.exportOpen = true;
+        }));
+    }
+    for (Command& command : formulaCommands(context, question))
+        entries.push_back(std::move(command));
+    return entries;
+}
+
 void drawSearch(StudioContext& context) {
     static char question[128];
-    if (context.searchOpen && !ImGui::IsPopupOpen("Find")) {
+    const std::string window = named("Find");
+    if (context.searchOpen && !ImGui::IsPopupOpen(window.c_str())) {
         question[0] = 0;
-        ImGui::OpenPopup("Find");
+        ImGui::OpenPopup(window.c_str());
     }
     const ImGuiViewport& screen = *ImGui::GetMainViewport();
     ImGui::SetNextWindowPos({screen.GetCenter().x, screen.Pos.y + screen.Size.y * 0.12f},
                             ImGuiCond_Always, {0.5f, 0});
     ImGui::SetNextWindowSize(
         {std::min(620.0f * context.scale, screen.Size.x * 0.94f), screen.Size.y * 0.62f});
-    if (!ImGui::BeginPopupModal("Find", &context.searchOpen, ImGuiWindowFlags_NoResize)) return;
+    if (!ImGui::BeginPopupModal(window.c_str(), &context.searchOpen, ImGuiWindowFlags_NoResize))
+        return;
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1);
     const bool enter =
-        ImGui::InputTextWithHint("##question", "a map, a preset, a command", question,
+        ImGui::InputTextWithHint("##question", tr("a map, a preset, a command"), question,
                                  sizeof question, ImGuiInputTextFlags_EnterReturnsTrue);
     explain("question");
-    std::vector<Command> entries;
-    for (const std::string& name : presetNames())
-        entries.push_back({"Preset: " + name, "", [&context, name] {
-                               Expected<Scene> scene = presetNamed(name);
-                               if (!scene) return context.report(scene.status());
-                               context.open(workspaceOf(*scene));
-                           }});
-    for (const std::string& name : setPresets())
-        entries.push_back({"Analysis: " + name, "", [&context, name] {
-                               Expected<Scene> scene = presetNamed(name);
-                               if (!scene) return context.report(scene.status());
-                               Workspace workspace = workspaceOf(*scene);
-                               setAnalysis(workspace);
-                               context.open(std::move(workspace));
-                           }});
-    for (const std::string& name : animationNames())
-        entries.push_back({"Motion: " + name, "", [&context, name] {
-                               Expected<Movie> movie = animationNamed(name);
-                               if (!movie) return context.report(movie.status());
-                               context.openMotion(std::move(movie->animation));
-                               context.play(true);
-                           }});
-    for (const Gallery::Entry& entry : context.gallery.recent())
-        entries.push_back({"Recent: " + entry.title, "", [&context, link = entry.link] {
-                               Expected<Workspace> workspace = workspaceFromLink(link);
-                               if (!workspace) return context.report(workspace.status());
-                               context.open(std::move(*workspace));
-                           }});
-    for (const MapKernels& map : catalogue()) {
-        const std::string name(map.info.name);
-        entries.push_back({"Map: " + std::string(map.info.title) + "  (" + name + ")", "",
-                           [&context, name] { context.newMap(name); }});
-    }
-    for (Command& command : commandsOf(context)) entries.push_back(std::move(command));
-    for (const std::string& name : plateNames()) {
-        entries.push_back({"Plate: " + name + ", its first panel", "", [&context, name] {
-                               const Expected<PlateDocument> plate = plateNamed(name);
-                               if (!plate) return context.report(plate.status());
-                               context.report(openPlate(context, name, *plate));
-                           }});
-        entries.push_back({"Export the plate " + name, "", [&context, name] {
-                               context.exporting.plate = true;
-                               context.exporting.motion = false;
-                               context.exporting.builtIn = name;
-                               context.exportOpen = true;
-                           }});
-    }
-    for (Command& command : formulaCommands(context, question))
-        entries.push_back(std::move(command));
+    const std::vector<Command> entries = entriesFor(context, question);
     const Command* chosen = nullptr;
     bool first = true;
     ImGui::BeginChild("entries");
     for (const Command& entry : entries) {
-        if (!matches(entry.name, question)) continue;
+        const std::string title = entry.title();
+        if (!matches(title + " " + entry.name, question)) continue;
         ImGui::PushID(&entry);
-        const bool picked = ImGui::Selectable(entry.name.c_str(), first && question[0] != 0);
+        const bool picked = ImGui::Selectable(title.c_str(), first && question[0] != 0);
         explain("found");
         ImGui::PopID();
         if (!entry.keys.empty()) {
             ImGui::SameLine(ImGui::GetContentRegionAvail().x - ImGui::GetFontSize() * 6);
-            ImGui::TextDisabled("%s", entry.keys.c_str());
+            ImGui::TextDisabled("%s", tr(entry.keys.c_str()));
         }
         if (picked || (enter && first)) chosen = &entry;
         first = false;
     }
-    if (first) ImGui::TextDisabled("Nothing has this name.");
+    if (first) ImGui::TextDisabled("%s", tr("Nothing has this name."));
     ImGui::EndChild();
     if (chosen || ImGui::IsKeyPressed(ImGuiKey_Escape)) {
         context.searchOpen = false;
@@ -392,18 +439,18 @@ void drawSearch(StudioContext& context) {
 void drawKeys(StudioContext& context) {
     if (!context.keysOpen) return;
     ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
-    if (ImGui::Begin("Keys", &context.keysOpen,
+    if (ImGui::Begin(named("Keys").c_str(), &context.keysOpen,
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse)) {
         if (ImGui::BeginTable("keys", 2)) {
             const auto row = [](const char* keys, const char* name) {
                 ImGui::TableNextRow();
                 ImGui::TableNextColumn();
-                ImGui::TextUnformatted(keys);
+                ImGui::TextUnformatted(tr(keys));
                 ImGui::TableNextColumn();
-                ImGui::TextUnformatted(name);
+                ImGui::TextUnformatted(tr(name));
             };
             for (const Command& command : commandsOf(context))
-                if (!command.keys.empty()) row(command.keys.c_str(), command.name.c_str());
+                if (!command.keys.empty()) row(command.keys.c_str(), command.title().c_str());
             row("arrows", "Pan; with Shift: move the point by a pixel");
             row("drag, wheel", "Pan, zoom at the pointer");
             row("right drag", "Zoom to a box");
@@ -428,6 +475,7 @@ void drawDialogs(StudioContext& context) {
     drawOpenFile(context);
     drawKeys(context);
     drawExport(context);
+    drawTeacherDialog(context);
 }
 
 }  // namespace versorium

@@ -7,12 +7,12 @@
 
 #include "ui/context.h"
 #include "ui/help.h"
+#include "ui/panel_parts.h"
 #include "ui/texture.h"
 
 namespace versorium {
 namespace {
 
-constexpr const char* kTitle = "Candidates for the versor d";
 constexpr int kPictureHeight = 200;  // pixels
 constexpr int kMostSteps = 2000;     // of a small picture, as of the gallery's
 
@@ -81,9 +81,10 @@ bool drawCell(ContactSheet::Candidate& one, bool chosen, ImVec2 size, float scal
                              ImDrawFlags_RoundCornersTop);
     }
     const std::string label =
-        "seed " + std::to_string(one.seed) + " · " + std::to_string(one.roots.roots.size()) +
-        (one.roots.roots.size() == 1 ? " root" : " roots") +
-        (one.message.empty() ? one.rgba.empty() ? " …" : "" : ": " + one.message);
+        tr(one.roots.roots.size() == 1 ? trLater("seed {1} · {2} root")
+                                       : trLater("seed {1} · {2} roots"),
+           {std::to_string(one.seed), std::to_string(one.roots.roots.size())}) +
+        (one.message.empty() ? one.rgba.empty() ? " …" : "" : ": " + trMessage(one.message));
     ImGui::PushClipRect({low.x + 4, low.y}, {high.x - 4, high.y}, true);
     list.AddText({low.x + 8, corner.y + 3 * scale}, ImGui::GetColorU32(ImGuiCol_Text),
                  label.c_str());
@@ -141,18 +142,19 @@ void pickCandidate(StudioContext& context, int candidate) {
     context.versor.draw.seed = one.seed;
     context.versor.chosen = {};
     context.touch();
-    context.say("The versor of seed " + std::to_string(one.seed) + ": " +
-                std::to_string(one.roots.roots.size()) + " roots");
+    context.say(tr("The versor of seed {1}: {2} roots",
+                   {std::to_string(one.seed), std::to_string(one.roots.roots.size())}));
 }
 
 void drawContactSheet(StudioContext& context) {
     ContactSheet& sheet = context.sheet;
-    if (sheet.open && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+    const std::string window = named("Candidates for the versor d");
+    if (sheet.open && !ImGui::IsPopupOpen(window.c_str())) ImGui::OpenPopup(window.c_str());
     const ImGuiViewport& screen = *ImGui::GetMainViewport();
     ImGui::SetNextWindowPos(screen.GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize(
         {std::min(980.0f * context.scale, screen.Size.x * 0.96f), screen.Size.y * 0.86f});
-    if (!ImGui::BeginPopupModal(kTitle, &sheet.open, ImGuiWindowFlags_NoResize)) {
+    if (!ImGui::BeginPopupModal(window.c_str(), &sheet.open, ImGuiWindowFlags_NoResize)) {
         if (!sheet.open && !sheet.candidates.empty()) forget(sheet);
         return;
     }
@@ -162,17 +164,17 @@ void drawContactSheet(StudioContext& context) {
     int more = -1, taken = -1;
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 7);
     ImGui::SliderInt("##count", &sheet.count, ContactSheet::kLeast, ContactSheet::kMost,
-                     "%d candidates", ImGuiSliderFlags_AlwaysClamp);
+                     tr("%d candidates"), ImGuiSliderFlags_AlwaysClamp);
     if (ImGui::IsItemDeactivatedAfterEdit()) more = sheet.candidates.front().seed;
     explain("candidates");
     ImGui::SameLine();
-    if (ImGui::Button("More")) more = sheet.candidates.back().seed + 1;
+    if (ImGui::Button(tr("More"))) more = sheet.candidates.back().seed + 1;
     explain("more candidates");
     ImGui::SameLine();
-    if (ImGui::Button("Take it")) taken = sheet.at;
+    if (ImGui::Button(tr("Take it"))) taken = sheet.at;
     explain("take candidate");
     ImGui::SameLine();
-    if (ImGui::Button("Close")) sheet.open = false;
+    if (ImGui::Button(tr("Close"))) sheet.open = false;
     explain("close");
     ImGui::BeginChild("candidates");
     const int count = static_cast<int>(sheet.candidates.size());

@@ -41,6 +41,7 @@ StudioContext::StudioContext(Host& shell)
     const std::string stored = host.stored("renderer");
     for (std::size_t k = 0; k < kRendererWords.size(); ++k)
         if (stored == kRendererWords[k]) renderer = static_cast<RendererChoice>(k);
+    if (!setLanguage(host.stored("language"))) setLanguage(languageOf(host.preferredLanguage()));
     gallery.load(host);
     formulas.load(host);
 }
@@ -74,7 +75,7 @@ void StudioContext::record(bool on) {
         player.since = host.now();
         player.recording = true;
         player.at = 0;
-        strip = Strip::motion;
+        workspace.strip = Strip::motion;
         say("Recording: move, zoom, turn the numbers. Press R again to stop");
         return;
     }
@@ -87,8 +88,8 @@ void StudioContext::record(bool on) {
     player.at = workspace.motion.duration();
     player.key = -1;
     touch();
-    say("Recorded: " + formatNumber(workspace.motion.duration(), 3) + " s in " +
-        std::to_string(workspace.motion.keys.size()) + " key frames");
+    say(tr("Recorded: {1} s in {2} key frames", {shownNumber(workspace.motion.duration(), 3),
+                                                 std::to_string(workspace.motion.keys.size())}));
 }
 
 void StudioContext::play(bool on) {
@@ -119,9 +120,9 @@ void StudioContext::setKey() {
     KeyFrame& key = keyAt(motion, player.at);
     key.values = std::move(values);
     player.key = static_cast<int>(&key - motion.keys.data());
-    strip = Strip::motion;
+    workspace.strip = Strip::motion;
     touch();
-    say("Key frame " + std::to_string(player.key + 1) + " at " + formatNumber(player.at, 3) + " s");
+    say(tr("Key frame {1} at {2} s", {std::to_string(player.key + 1), shownNumber(player.at, 3)}));
 }
 
 void StudioContext::removeKey() {
@@ -139,7 +140,7 @@ void StudioContext::saveMotion() {
         host.saveFile(workspace.view().map + "-motion.json",
                       {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
     if (!path) return report(path.status());
-    say("Saved: " + *path + ". versorium animate makes pictures or a film of it");
+    say(tr("Saved: {1}. versorium animate makes pictures or a film of it", {trMessage(*path)}));
 }
 
 void StudioContext::touch() {
@@ -151,12 +152,13 @@ void StudioContext::touch() {
 
 void StudioContext::record() {
     history.record(workspace);
-    gallery.remember(host, workspace);
+    // The steps of a lesson are no scenes of the user's own.
+    if (!lessons.now || lessons.now->wandering()) gallery.remember(host, workspace);
     touched = false;
 }
 
-void StudioContext::say(std::string text) {
-    notice = std::move(text);
+void StudioContext::say(const std::string& text) {
+    notice = tr(std::string_view(text));
     noticeAt = host.now();
     host.announce(notice);
     host.wake();
@@ -164,7 +166,7 @@ void StudioContext::say(std::string text) {
 }
 
 void StudioContext::report(const Status& status) {
-    if (!status.ok()) say(status.message());
+    if (!status.ok()) say(trMessage(status.message()));
 }
 
 void StudioContext::undo() {
@@ -187,9 +189,20 @@ void StudioContext::redo() {
 }
 
 void StudioContext::open(Workspace opened) {
+    leaveStep(*this);
     if (touched) record();
     gallery.beginAnew();
-    workspace = std::move(opened);
+    take(std::move(opened));
+}
+
+void StudioContext::openStage(Workspace stage) {
+    if (touched) record();
+    take(std::move(stage));
+    permit(*this);
+}
+
+void StudioContext::take(Workspace next) {
+    workspace = std::move(next);
     animation.running = false;
     player = {};
     for (ViewState& view : views) view.visits = {}, view.glide.reset();
@@ -202,7 +215,7 @@ void StudioContext::openMotion(versorium::Animation animation) {
     opened.motion = std::move(animation.motion);
     opened.motionView = opened.focused;
     open(std::move(opened));
-    strip = Strip::motion;
+    workspace.strip = Strip::motion;
 }
 
 void StudioContext::newMap(const std::string& name) {
@@ -212,7 +225,14 @@ void StudioContext::newMap(const std::string& name) {
     Scene scene = sceneOf(*map);
     Workspace next = workspaceOf(scene);
     if (count != 2) setViewCount(next, count);
+    next.strip = workspace.strip;
     open(std::move(next));
+}
+
+void StudioContext::show(Strip strip) {
+    if (workspace.strip == strip) return;
+    workspace.strip = strip;
+    touch();
 }
 
 void StudioContext::mark(int view) {
@@ -334,19 +354,30 @@ void StudioContext::choose(RendererChoice choice) {
 void StudioContext::nextRenderer() {
     choose(static_cast<RendererChoice>((static_cast<std::size_t>(renderer) + 1) %
                                        kRendererWords.size()));
-    const char* said[] = {"Drawn by whoever is faster", "Drawn by the graphics processor",
-                          "Drawn by the processor"};
+    const char* said[] = {trLater("Drawn by whoever is faster"),
+                          trLater("Drawn by the graphics processor"),
+                          trLater("Drawn by the processor")};
     say(said[static_cast<std::size_t>(renderer)]);
 }
 
 GpuUse StudioContext::gpuUse() {
-    if (renderer == RendererChoice::processor) return {nullptr, "chosen by you"};
-    if (!drawsWithOpenGl()) return {nullptr, "there is no OpenGL here"};
+    if (renderer == RendererChoice::processor) return {nullptr, trLater("chosen by you")};
+    if (!drawsWithOpenGl()) return {nullptr, trLater("there is no OpenGL here")};
     if (const Status status = gpu.prepare(); !status.ok()) return {nullptr, status.message()};
     if (renderer == RendererChoice::automatic && gpu.limits().software)
-        return {nullptr, "faster here than the graphics driver, which computes in software (" +
-                             gpu.limits().device + ")"};
+        return {nullptr,
+                tr("faster here than the graphics driver, which computes in software ({1})",
+                   {gpu.limits().device})};
     return {&gpu, {}};
+}
+
+void StudioContext::speak(const std::string& id) {
+    if (!setLanguage(id)) return;
+    host.store("language", id);
+    translateLesson(*this);
+    // What was found is said anew.
+    ++revision;
+    host.wake();
 }
 
 void StudioContext::stepOrbit(int steps) {
@@ -375,7 +406,7 @@ void StudioContext::saveScene() {
         host.saveFile(workspace.view().map + ".json",
                       {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
     if (!path) return report(path.status());
-    say("Saved: " + *path);
+    say(tr("Saved: {1}", {trMessage(*path)}));
 }
 
 void StudioContext::startExport() { beginExport(exporting, false); }

@@ -11,14 +11,17 @@
 #include <vector>
 
 #include "fields/evaluate.h"
+#include "i18n/language.h"
 #include "render/bind.h"
 #include "render/viewport.h"
+#include "ui/access.h"
 #include "ui/circles.h"
 #include "ui/contact_sheet.h"
 #include "ui/drawing.h"
 #include "ui/formulas.h"
 #include "ui/gallery.h"
 #include "ui/host.h"
+#include "ui/lessons.h"
 #include "ui/live_picture.h"
 #include "ui/motion.h"
 #include "ui/space_view.h"
@@ -85,7 +88,8 @@ struct FileList {
 // Who draws live pictures: automatic is the graphics processor, unless its driver computes in
 // software.
 enum class RendererChoice { automatic, graphics, processor };
-inline constexpr std::array<const char*, 3> kRendererWords = {"automatic", "graphics", "processor"};
+inline constexpr std::array<const char*, 3> kRendererWords = {
+    trLater("automatic"), trLater("graphics"), trLater("processor")};
 
 struct StudioContext {
     explicit StudioContext(Host& host);
@@ -123,7 +127,13 @@ struct StudioContext {
     VersorState versor;
     CircleStudies circles;
     ContactSheet sheet;
-    enum class Strip { series, web, diagram, profile, motion } strip = Strip::series;
+    Lessons lessons;
+    // The link that the studio was opened with, and the state that its locks hold on to.
+    std::optional<TeacherLink> teacher;
+    Workspace permitted;
+    std::uint64_t permittedAt = 0;
+    TeacherDialog handing;
+    using Strip = Workspace::Strip;
     int paletteStop = -1;  // the chosen stop of an own palette
     int orbitShown = 0;    // the step that the table has been scrolled to
     // An animated number: it runs between its ends until it is stopped, eased to and fro, or
@@ -171,18 +181,22 @@ struct StudioContext {
     void record();
     // A dialog stands over the views and takes the keys.
     bool dialogOpen() const {
-        return searchOpen || exportOpen || galleryOpen || fileOpen || sheet.open;
+        return searchOpen || exportOpen || galleryOpen || fileOpen || sheet.open || handing.open;
     }
-    void say(std::string text);
+    // In English or in the language already, where it was put together.
+    void say(const std::string& text);
     void report(const Status& status);
     void undo();
     void redo();
     void open(Workspace opened);
+    // The same of a lesson's step, which the learner does not leave by it.
+    void openStage(Workspace stage);
     // The views of the motion's scene, with the motion in the strip below.
     void openMotion(versorium::Animation animation);
     void newMap(const std::string& name);
-    void mark(int view);   // commands act on it
-    void visit(int view);  // remembers where a view is
+    void show(Strip strip);  // below the views
+    void mark(int view);     // commands act on it
+    void visit(int view);    // remembers where a view is
     void revisit(int view, int step);
     void home(int view);
     // The point (u, v) stays where it is. Eased, unless motion is to be reduced.
@@ -197,6 +211,8 @@ struct StudioContext {
     void pan(int view, double widths, double heights);
     void choose(RendererChoice choice);
     void nextRenderer();
+    // From the next frame on in this language.
+    void speak(const std::string& id);
     GpuUse gpuUse();
     void stepOrbit(int steps);  // the orbit grows where it ends
     void chooseFile();
@@ -218,6 +234,7 @@ struct StudioContext {
     const std::vector<std::vector<double>>& orbit();
 
   private:
+    void take(Workspace next);
     void beginExport(const ExportOptions& options, bool toClipboard);
     struct Bound {
         std::uint64_t revision = 0;
@@ -236,8 +253,10 @@ struct StudioContext {
 
 // A command with its name, keys and what it does: the list behind Ctrl+K and `?`.
 struct Command {
-    std::string name, keys;
+    std::string name, keys;  // in English
     std::function<void()> run;
+    std::string shown = {};  // in the language, where it is more than tr(name)
+    std::string title() const { return shown.empty() ? tr(std::string_view(name)) : shown; }
 };
 std::vector<Command> commandsOf(StudioContext& context);
 

@@ -4,7 +4,7 @@
 // one ControlList, with what setting each control does.
 
 #include <algorithm>
-#include <cstdlib>
+#include <array>
 #include <functional>
 #include <string>
 #include <utility>
@@ -25,28 +25,38 @@ class ControlList {
     explicit ControlList(StudioContext& context) : context_(context) {}
 
     std::vector<ControlEntry> entries;
-    void begin(std::string group) { group_ = std::move(group); }
+    // Groups and labels in English, or in the language where they are put together.
+    void begin(const std::string& group) { group_ = tr(std::string_view(group)); }
 
     void number(const std::string& id, const std::string& label, double value, double step,
-                double low, double high, std::function<void(double)> set) {
+                double low, double high, std::function<void(double)> set,
+                std::array<double, 2> slider = {}) {
         const auto change = [=](const std::string& text) {
-            char* end = nullptr;
-            const double wanted = std::strtod(text.c_str(), &end);
-            if (text.empty() || *end != 0 || !(wanted >= low && wanted <= high)) return false;
-            set(wanted);
+            const std::optional<double> wanted = parseShownNumber(text);
+            if (!wanted || !(*wanted >= low && *wanted <= high)) return false;
+            set(*wanted);
             return true;
         };
-        add({id, group_, label, ControlKind::number, formatNumber(value), step, {}}, change);
+        // A number of the map is called as its formula has it.
+        const std::string shown = label == id ? label : said(label);
+        Control control{id, group_, shown, ControlKind::number, formatNumber(value), step, {}};
+        control.low = slider[0];
+        control.high = slider[1];
+        add(std::move(control), change);
     }
+    // `shown` says the options in the language where they are no words, such as names.
     void choice(const std::string& id, const std::string& label, const std::string& value,
                 const std::vector<std::string>& options,
-                std::function<void(const std::string&)> set) {
+                std::function<void(const std::string&)> set, std::vector<std::string> shown = {}) {
         const auto change = [=](const std::string& wanted) {
             if (std::find(options.begin(), options.end(), wanted) == options.end()) return false;
             if (wanted != value) set(wanted);
             return true;
         };
-        add({id, group_, label, ControlKind::choice, value, 0, options}, change);
+        if (shown.empty())
+            for (const std::string& option : options) shown.push_back(tr(std::string_view(option)));
+        add({id, group_, said(label), ControlKind::choice, value, 0, options, std::move(shown)},
+            change);
     }
     void toggle(const std::string& id, const std::string& label, bool value,
                 std::function<void(bool)> set) {
@@ -55,7 +65,7 @@ class ControlList {
             set(wanted == "on");
             return true;
         };
-        add({id, group_, label, ControlKind::toggle, value ? "on" : "off", 0, {}}, change);
+        add({id, group_, said(label), ControlKind::toggle, value ? "on" : "off", 0, {}}, change);
     }
     void colour(const std::string& id, const std::string& label, DisplayColour& value) {
         const auto change = [&value](const std::string& wanted) {
@@ -70,7 +80,7 @@ class ControlList {
         opaque.a = 1;
         add({id,
              group_,
-             label,
+             said(label),
              ControlKind::colour,
              hexFromColour(colourFromDisplay(opaque)),
              0,
@@ -79,7 +89,8 @@ class ControlList {
     }
     void text(const std::string& id, const std::string& label, const std::string& value,
               std::function<bool(const std::string&)> set) {
-        entries.push_back({{id, group_, label, ControlKind::text, value, 0, {}}, std::move(set)});
+        entries.push_back(
+            {{id, group_, said(label), ControlKind::text, value, 0, {}}, std::move(set)});
     }
     // Commands touch the workspace themselves.
     void command(const std::string& id, const std::string& label, const std::string& keys,
@@ -88,13 +99,14 @@ class ControlList {
             run();
             return true;
         };
-        entries.push_back({{id, group_, label, ControlKind::command, keys, 0, {}}, change});
+        entries.push_back({{id, group_, said(label), ControlKind::command, keys, 0, {}}, change});
     }
 
   private:
     StudioContext& context_;
     std::string group_;
 
+    static std::string said(const std::string& label) { return tr(std::string_view(label)); }
     void add(Control control, std::function<bool(const std::string&)> set) {
         StudioContext* context = &context_;
         const auto change = [context, set = std::move(set)](const std::string& value) {

@@ -8,6 +8,7 @@
 #include "maps/critical.h"
 #include "render/movie.h"
 #include "render/renderer.h"
+#include "ui/access.h"
 #include "ui/control_list.h"
 #include "ui/ensemble_change.h"
 #include "ui/roots_panel.h"
@@ -24,15 +25,21 @@ void collectMap(StudioContext& context, ControlList& all) {
         return std::string(info.title) + " (" + std::string(info.name) + ")";
     };
     std::vector<std::string> names;
-    for (const MapKernels& map : catalogue()) names.push_back(called(map.info));
-    if (context.workspace.views[0].formula)
-        names.push_back(called(mapOf(context.workspace.views[0]).info));
+    std::vector<std::string> shown;
+    const auto also = [&](const MapInfo& info) {
+        names.push_back(called(info));
+        shown.push_back(tr(info.title) + " (" + std::string(info.name) + ")");
+    };
+    for (const MapKernels& map : catalogue()) also(map.info);
+    if (context.workspace.views[0].formula) also(mapOf(context.workspace.views[0]).info);
     StudioContext* c = &context;
-    all.choice("map", "map", called(mapOf(context.workspace.views[0]).info), names,
-               [c, called](const std::string& name) {
-                   for (const MapKernels& map : catalogue())
-                       if (called(map.info) == name) return c->newMap(std::string(map.info.name));
-               });
+    all.choice(
+        "map", "map", called(mapOf(context.workspace.views[0]).info), names,
+        [c, called](const std::string& name) {
+            for (const MapKernels& map : catalogue())
+                if (called(map.info) == name) return c->newMap(std::string(map.info.name));
+        },
+        shown);
     const std::shared_ptr<const FormulaMap> typed = context.workspace.views[0].formula;
     all.text("formula", "formula of your own", typed ? typed->formula().text : std::string(),
              [c, typed](const std::string& text) {
@@ -47,7 +54,8 @@ void collectMap(StudioContext& context, ControlList& all) {
                  [c, typed](const std::string& name) {
                      if (name.empty()) return true;
                      const Status status = c->formulas.save(c->host, name, typed->formula().text);
-                     status.ok() ? c->say("The formula is saved as " + name) : c->report(status);
+                     status.ok() ? c->say(tr("The formula is saved as {1}", {name}))
+                                 : c->report(status);
                      return status.ok();
                  });
     if (!context.formulas.all().empty()) {
@@ -57,7 +65,7 @@ void collectMap(StudioContext& context, ControlList& all) {
             for (const SavedFormula& one : c->formulas.all())
                 if (one.name == name) return c->report(applyFormula(*c, one.text));
         };
-        all.choice("saved formula", "open a saved formula", "", saved, chosen);
+        all.choice("saved formula", "open a saved formula", "", saved, chosen, saved);
     }
     // Nothing is chosen: a preset is a beginning, not a state.
     std::vector<std::string> presets = presetNames();
@@ -66,6 +74,15 @@ void collectMap(StudioContext& context, ControlList& all) {
         if (!scene) return c->report(scene.status());
         c->open(workspaceOf(*scene));
     });
+}
+
+// The range of a parameter's slider, as in the inspector.
+std::array<double, 2> sliderOf(const Workspace& workspace, const ParameterInfo& parameter,
+                               const std::string& name) {
+    if (const auto own = workspace.ranges.find(name); own != workspace.ranges.end())
+        return own->second;
+    if (widthOf(parameter.kind) == 1) return {parameter.low, parameter.high};
+    return {std::max(parameter.low, -2.0), std::min(parameter.high, 2.0)};
 }
 
 void collectParameters(StudioContext& context, ControlList& all) {
@@ -77,25 +94,31 @@ void collectParameters(StudioContext& context, ControlList& all) {
         const bool whole = parameter.kind == ParameterKind::whole;
         for (int k = 0; k < widthOf(parameter.kind); ++k) {
             const std::string name = parameterComponent(info, component++);
-            all.number(name, name, sharedNumber(context.workspace, name),
-                       whole ? 1 : (parameter.high - parameter.low) / 400, -1e6, 1e6,
-                       [c, name, whole](double value) {
-                           setSharedNumber(c->workspace, name, whole ? std::round(value) : value);
-                       });
+            all.number(
+                name, name, sharedNumber(context.workspace, name),
+                whole ? 1 : (parameter.high - parameter.low) / 400, -1e6, 1e6,
+                [c, name, whole](double value) {
+                    setSharedNumber(c->workspace, name, whole ? std::round(value) : value);
+                },
+                sliderOf(context.workspace, parameter, name));
         }
     }
     std::vector<std::string> numbers{"none"};
     for (int k = 0; k < component; ++k) numbers.push_back(parameterComponent(info, k));
+    std::vector<std::string> shown = numbers;
+    shown[0] = tr("none");
     const StudioContext::Animation& moving = context.animation;
     const bool runs =
         moving.running && std::find(numbers.begin(), numbers.end(), moving.number) != numbers.end();
-    all.choice("animate", "number that is animated", runs ? moving.number : "none", numbers,
-               [c](const std::string& name) {
-                   c->animation.running = false;
-                   if (name == "none") return;
-                   const double now = sharedNumber(c->workspace, name);
-                   c->animate(name, now - 1, now + 1);
-               });
+    all.choice(
+        "animate", "number that is animated", runs ? moving.number : "none", numbers,
+        [c](const std::string& name) {
+            c->animation.running = false;
+            if (name == "none") return;
+            const double now = sharedNumber(c->workspace, name);
+            c->animate(name, now - 1, now + 1);
+        },
+        shown);
     all.toggle("animate-to-and-fro", "the animation runs to and fro", moving.toAndFro,
                [c](bool on) { c->animation.toAndFro = on; });
     all.command("reset", "The map's own parameters", "", [c, &info] {
@@ -115,19 +138,22 @@ void collectOrbit(StudioContext& context, ControlList& all) {
     const MapKernels& map = mapOf(scene);
     for (int k = 0; k < map.dimension; ++k) {
         const std::string name = stateComponent(map.info, k);
-        all.number(name, "starting point " + name, sharedNumber(context.workspace, name), 0.01,
-                   -1e6, 1e6,
-                   [c, name](double value) { setSharedNumber(c->workspace, name, value); });
+        all.number(
+            name, tr("starting point {1}", {name}), sharedNumber(context.workspace, name), 0.01,
+            -1e6, 1e6, [c, name](double value) { setSharedNumber(c->workspace, name, value); },
+            map.dimension == 1 ? std::array<double, 2>{0, 1} : std::array<double, 2>{-2, 2});
     }
     all.number("marked step", "step that is marked", context.workspace.orbitAt, 1, 0,
                kMostOrbitSteps,
-               [c](double value) { c->stepOrbit(static_cast<int>(value) - c->workspace.orbitAt); });
+               [c](double value) { c->stepOrbit(static_cast<int>(value) - c->workspace.orbitAt); },
+               {0, static_cast<double>(std::max(1, context.workspace.orbitSteps))});
     all.toggle("arrows", "arrows from points to their images", context.workspace.arrows,
                [c](bool on) { c->workspace.arrows = on; });
     all.number("steps", "steps that are drawn", context.workspace.orbitSteps, 1, 0, 1000,
                [c](double value) { c->workspace.orbitSteps = static_cast<int>(value); });
     all.number("iterations", "max iterations N", scene.iterations, 50, 1, 1000000,
-               [c](double value) { c->workspace.view().iterations = static_cast<int>(value); });
+               [c](double value) { c->workspace.view().iterations = static_cast<int>(value); },
+               {1, 1000});
     const double radius = scene.escapeRadius.value_or(automaticRadius(scene));
     if (std::isfinite(radius))
         all.number("radius", "escape radius", radius, 0.5, 1e-6, 1e6,
@@ -146,13 +172,15 @@ void collectSlice(StudioContext& context, ControlList& all) {
     const std::size_t axes = std::min<std::size_t>(2, scene.slice.axes.size());
     for (std::size_t k = 0; k < axes; ++k) {
         const auto& terms = scene.slice.axes[k].terms;
-        all.choice("axis" + std::to_string(k), k == 0 ? "axis to the right" : "axis upwards",
-                   terms.size() == 1 ? terms[0].first : "", names,
-                   [c, k](const std::string& name) { setAxis(c->workspace, k, name); });
+        all.choice(
+            "axis" + std::to_string(k), k == 0 ? "axis to the right" : "axis upwards",
+            terms.size() == 1 ? terms[0].first : "", names,
+            [c, k](const std::string& name) { setAxis(c->workspace, k, name); }, names);
     }
     for (std::size_t k = 0; k < axes; ++k)
-        all.number("centre" + std::to_string(k), "centre, " + scene.slice.axes[k].terms[0].first,
-                   scene.slice.centre[k], scene.slice.height / 20, -1e6, 1e6, [c, k](double value) {
+        all.number("centre" + std::to_string(k),
+                   tr("centre, {1}", {scene.slice.axes[k].terms[0].first}), scene.slice.centre[k],
+                   scene.slice.height / 20, -1e6, 1e6, [c, k](double value) {
                        c->workspace.view().slice.centre[k] = value;
                        c->workspace.view().slice.centreLow[k] = 0;
                    });
@@ -212,15 +240,16 @@ void collectStudies(StudioContext& context, ControlList& all) {
     });
     for (std::size_t k = 0; k < workspace.compared.size(); ++k)
         all.number("second " + std::to_string(k),
-                   "second start " + stateComponent(map.info, static_cast<int>(k)),
+                   tr("second start {1}", {stateComponent(map.info, static_cast<int>(k))}),
                    workspace.compared[k], 0.01, -1e6, 1e6,
                    [c, k](double value) { c->workspace.compared[k] = value; });
     if (map.parameters == 0) return;
     std::vector<std::string> names;
     for (int k = 0; k < map.parameters; ++k) names.push_back(parameterComponent(map.info, k));
     const Workspace::Diagram diagram = diagramOf(workspace);
-    all.choice("diagram number", "parameter of the bifurcation diagram", diagram.number, names,
-               [c](const std::string& name) { setDiagramNumber(c->workspace, name); });
+    all.choice(
+        "diagram number", "parameter of the bifurcation diagram", diagram.number, names,
+        [c](const std::string& name) { setDiagramNumber(c->workspace, name); }, names);
     const double step = (diagram.right - diagram.left) / 40;
     for (const bool left : {true, false})
         all.number(left ? "diagram from" : "diagram to",
@@ -235,9 +264,10 @@ void collectStudies(StudioContext& context, ControlList& all) {
 }
 
 void collectGradient(ControlList& all, const std::string& name, Gradient& gradient) {
-    all.colour(name + " fast", name + ": colour of the fast", gradient.start);
-    all.colour(name + " slow", name + ": colour of the slow", gradient.finish);
-    all.number(name + " exponent", name + ": colour exponent", gradient.exponent, 0.1, 0.01, 100,
+    all.colour(name + " fast", tr("{1}: colour of the fast", {tr(name.c_str())}), gradient.start);
+    all.colour(name + " slow", tr("{1}: colour of the slow", {tr(name.c_str())}), gradient.finish);
+    all.number(name + " exponent", tr("{1}: colour exponent", {tr(name.c_str())}),
+               gradient.exponent, 0.1, 0.01, 100,
                [&gradient](double value) { gradient.exponent = value; });
 }
 
@@ -259,7 +289,7 @@ void collectColours(StudioContext& context, ControlList& all) {
             colour.range.clear();
             colour.scale.clear();
         });
-        const std::string own = "the field's own";
+        const std::string own = trLater("the field's own");
         all.choice("scale", "scale", colour.scale.empty() ? own : colour.scale,
                    {own, "linear", "log", "truncated_log", "sqrt", "cyclic"},
                    [&colour, own](const std::string& name) {
@@ -286,7 +316,7 @@ void collectWindow(StudioContext& context, ControlList& all) {
     StudioContext* c = &context;
     const Workspace& workspace = context.workspace;
     const auto count = static_cast<int>(workspace.views.size());
-    const std::string analysis = "an analysis";
+    const std::string analysis = trLater("an analysis");
     all.choice("layout", "number of views", workspace.analysis() ? analysis : std::to_string(count),
                {"1", "2", "4", analysis}, [c, analysis](const std::string& wanted) {
                    if (wanted != analysis) return setViewCount(c->workspace, std::stoi(wanted));
@@ -307,6 +337,12 @@ void collectWindow(StudioContext& context, ControlList& all) {
         c->host.store("theme", name);
         c->fontsChanged = true;
     });
+    std::vector<std::string> ids, spoken;
+    for (const Language& language : languages())
+        ids.push_back(language.id), spoken.push_back(language.name);
+    all.choice(
+        "language", "language", languageNow().id, ids, [c](const std::string& id) { c->speak(id); },
+        spoken);
     const auto renderer = static_cast<std::size_t>(context.renderer);
     all.choice("renderer", "who draws live pictures", kRendererWords[renderer],
                {kRendererWords.begin(), kRendererWords.end()}, [c](const std::string& wanted) {
@@ -328,10 +364,12 @@ void collectLayers(StudioContext& context, ControlList& all) {
     for (std::size_t k = 0; k < scene.layers.size(); ++k) {
         Layer& layer = scene.layers[k];
         const std::string id = "layers[" + std::to_string(k) + "].";
-        const std::string label = "image " + std::to_string(k + 1) + ": ";
+        const auto label = [&](const char* what) {
+            return tr("image {1}: {2}", {std::to_string(k + 1), tr(what)});
+        };
         const auto number = [&](const char* part, const char* what, double& value, double step,
                                 double low, double high) {
-            all.number(id + part, label + what, value, step, low, high,
+            all.number(id + part, label(what), value, step, low, high,
                        [&value](double wanted) { value = wanted; });
         };
         number("x", "to the right", layer.x, 0.05, -100, 100);
@@ -339,9 +377,9 @@ void collectLayers(StudioContext& context, ControlList& all) {
         number("scale", "size", layer.scale, 0.05, 1e-3, 1000);
         number("opacity", "opacity", layer.opacity, 0.1, 0, 1);
         if (layer.sources.size() > 1) number("frame", "frame", layer.frame, 1, -1e9, 1e9);
-        all.toggle(id + "front", label + "in front", layer.front,
+        all.toggle(id + "front", label("in front"), layer.front,
                    [&layer](bool on) { layer.front = on; });
-        all.command(id + "remove", label + "take it away", "", [c, k] {
+        all.command(id + "remove", label("take it away"), "", [c, k] {
             auto& layers = c->workspace.view().layers;
             layers.erase(layers.begin() + static_cast<std::ptrdiff_t>(k));
             dropUnnamedAssets(c->workspace);
@@ -420,10 +458,25 @@ void collectMotion(StudioContext& context, ControlList& all) {
                     [begin] { begin(true); });
 }
 
+void collectLessons(StudioContext& context, ControlList& all) {
+    all.begin("Lessons");
+    StudioContext* c = &context;
+    const std::string now = context.lessons.now && context.lessons.now->own
+                                ? context.lessons.now->session.lesson().id
+                                : std::string();
+    all.choice("lesson", "open a lesson", now, lessonIds(),
+               [c](const std::string& id) { c->report(openLesson(*c, id, {})); });
+    if (!context.lessons.now) return;
+    const auto count = static_cast<double>(context.lessons.now->left.size());
+    all.number("lesson step", "step of the lesson",
+               static_cast<double>(context.lessons.now->session.at()) + 1, 1, 1, count,
+               [c](double value) { goToStep(*c, static_cast<std::size_t>(value) - 1); });
+}
+
 void collectCommands(StudioContext& context, ControlList& all) {
     all.begin("Commands");
     for (Command& command : commandsOf(context))
-        all.command("do " + command.name, command.name, command.keys, std::move(command.run));
+        all.command("do " + command.name, command.title(), command.keys, std::move(command.run));
 }
 
 std::vector<ControlEntry> entriesOf(StudioContext& context) {
@@ -440,6 +493,7 @@ std::vector<ControlEntry> entriesOf(StudioContext& context) {
     collectLayers(context, all);
     collectMotion(context, all);
     collectWindow(context, all);
+    collectLessons(context, all);
     collectCommands(context, all);
     return std::move(all.entries);
 }
@@ -472,21 +526,29 @@ std::string fate(StudioContext& context) {
     const double* coordinates[2] = {&at[0], &at[1]};
     const FieldName fields[] = {FieldName::membership, FieldName::escapeStep, FieldName::period};
     const auto values = evaluateFields(program, 1, coordinates, fields);
-    if (values[0][0] != 1) return "; its orbit escapes at step " + formatNumber(values[1][0], 8);
-    std::string text = "; its orbit stays for " + std::to_string(program.iterations) + " steps";
-    if (values[2][0] > 0) text += ", drawn to a cycle of period " + formatNumber(values[2][0], 5);
-    return text;
+    if (values[0][0] != 1)
+        return tr("; its orbit escapes at step {1}", {shownNumber(values[1][0], 8)});
+    const std::string steps = std::to_string(program.iterations);
+    if (values[2][0] == 0) return tr("; its orbit stays for {1} steps", {steps});
+    return tr("; its orbit stays for {1} steps, drawn to a cycle of period {2}",
+              {steps, shownNumber(values[2][0], 5)});
 }
 
 }  // namespace
 
 std::vector<Control> controlsOf(StudioContext& context) {
     std::vector<Control> controls;
-    for (ControlEntry& entry : entriesOf(context)) controls.push_back(std::move(entry.control));
+    for (ControlEntry& entry : entriesOf(context)) {
+        const Access access = accessOf(context, entry.control.id);
+        if (access == Access::hidden) continue;
+        entry.control.locked = access == Access::locked;
+        controls.push_back(std::move(entry.control));
+    }
     return controls;
 }
 
 bool setControl(StudioContext& context, const std::string& id, const std::string& value) {
+    if (accessOf(context, id) != Access::open) return false;
     for (const ControlEntry& entry : entriesOf(context))
         if (entry.control.id == id) return entry.set(value);
     return false;
@@ -497,21 +559,24 @@ std::string describeView(StudioContext& context, int view) {
     const auto index = static_cast<std::size_t>(view);
     const Scene& scene = workspace.views[index];
     const bool parameters = showsParameters(scene);
-    std::string text = "View " + std::to_string(view + 1) + ", " +
-                       (parameters ? "parameters" : "starting points") + " of " +
-                       std::string(mapOf(scene).info.title) + ": height " +
-                       formatNumber(scene.slice.height, 3) + " around";
     const auto marker = markerOf(workspace, index);
-    std::string ring = ". The ring is at";
+    std::string middle, ring;
     for (std::size_t k = 0; k < std::min<std::size_t>(2, scene.slice.axes.size()); ++k) {
-        const std::string name = " " + scene.slice.axes[k].terms[0].first + " = ";
-        text += name + formatNumber(scene.slice.centre[k], 5);
-        ring += name + formatNumber(marker[k], 5);
+        const std::string name = (k ? " " : "") + scene.slice.axes[k].terms[0].first + " = ";
+        middle += name + shownNumber(scene.slice.centre[k], 5);
+        ring += name + shownNumber(marker[k], 5);
     }
-    text += ring + (parameters ? std::string() : fate(context)) + ".";
+    if (!parameters) ring += fate(context);
+    std::string text =
+        tr(parameters
+               ? trLater("View {1}, parameters of {2}: height {3} around {4}. The ring is at {5}.")
+               : trLater("View {1}, starting points of {2}: height {3} around {4}. The ring is at "
+                         "{5}."),
+           {std::to_string(view + 1), tr(mapOf(scene).info.title),
+            shownNumber(scene.slice.height, 3), middle, ring});
     const std::string average = describeEnsemble(context, view);
     if (!average.empty()) text += " " + average;
-    if (context.strip == StudioContext::Strip::profile && !parameters)
+    if (context.workspace.strip == StudioContext::Strip::profile && !parameters)
         text += " " + describeProfile(context);
     if (!parameters) text += describeCircles(context);
     return text;
@@ -526,7 +591,12 @@ std::string controlsText(StudioContext& context) {
                    {"kind", kindName(control.kind)},
                    {"value", control.value}};
         if (control.kind == ControlKind::number) entry["step"] = control.step;
-        if (control.kind == ControlKind::choice) entry["options"] = control.options;
+        if (control.kind == ControlKind::choice) {
+            entry["options"] = control.options;
+            entry["shown"] = control.shown;
+        }
+        if (control.low < control.high) entry["range"] = {control.low, control.high};
+        if (control.locked) entry["locked"] = true;
         controls.push_back(std::move(entry));
     }
     Json views = Json::array();
@@ -540,7 +610,12 @@ std::string controlsText(StudioContext& context) {
         }
         views.push_back(std::move(view));
     }
-    return Json{{"controls", controls}, {"views", views}, {"focused", workspace.focused}}.dump();
+    return Json{{"controls", controls},
+                {"views", views},
+                {"focused", workspace.focused},
+                {"language", languageNow().id},
+                {"decimal", std::string(1, languageNow().decimal)}}
+        .dump();
 }
 
 }  // namespace versorium

@@ -47,7 +47,8 @@ void collectRoots(ControlList& all, EnsembleRoots& roots) {
                [change](double value) { change([&](RandomRoots& n) { n.highPower = value; }); });
     all.toggle("ensemble whole", "whole powers", draw->wholePowers,
                [change](bool on) { change([&](RandomRoots& n) { n.wholePowers = on; }); });
-    const std::vector<std::string> arrangements{"even", "clustered", "spread"};
+    const std::vector<std::string> arrangements{trLater("even"), trLater("clustered"),
+                                                trLater("spread")};
     all.choice("ensemble arrangement", "roots are arranged",
                arrangements[static_cast<std::size_t>(draw->arrangement)], arrangements,
                [change, arrangements](const std::string& word) {
@@ -75,36 +76,40 @@ void collectNumbers(StudioContext& context, ControlList& all, Scene& scene) {
         EnsembleRange& range = ensemble.ranges[k];
         const double step = std::max(1e-3, std::abs(range.to - range.from) / 10);
         for (const bool from : {true, false})
-            all.number("ensemble " + range.name + (from ? " from" : " to"),
-                       range.name + (from ? " drawn from" : " drawn up to"),
-                       from ? range.from : range.to, step, -1e6, 1e6,
-                       [&range, from](double value) { (from ? range.from : range.to) = value; });
-        all.command("ensemble keep " + range.name, "Draw " + range.name + " no longer", "", [c, k] {
-            auto& ranges = c->workspace.view().ensemble.ranges;
-            ranges.erase(ranges.begin() + static_cast<std::ptrdiff_t>(k));
-            c->touch();
-        });
+            all.number(
+                "ensemble " + range.name + (from ? " from" : " to"),
+                tr(from ? trLater("{1} drawn from") : trLater("{1} drawn up to"), {range.name}),
+                from ? range.from : range.to, step, -1e6, 1e6,
+                [&range, from](double value) { (from ? range.from : range.to) = value; });
+        all.command("ensemble keep " + range.name, tr("Draw {1} no longer", {range.name}), "",
+                    [c, k] {
+                        auto& ranges = c->workspace.view().ensemble.ranges;
+                        ranges.erase(ranges.begin() + static_cast<std::ptrdiff_t>(k));
+                        c->touch();
+                    });
     }
     for (std::size_t k = 0; k < ensemble.discs.size(); ++k) {
         EnsembleDisc& disc = ensemble.discs[k];
         const auto number = [&](const char* id, const char* what, double& value, double low) {
-            all.number("ensemble " + disc.name + id, disc.name + what, value, 0.01, low, 1e6,
+            all.number("ensemble " + disc.name + id, tr(what, {disc.name}), value, 0.01, low, 1e6,
                        [&value](double wanted) { value = wanted; });
         };
-        number(" disc re", ": centre of its disc, re", disc.centreRe, -1e6);
-        number(" disc im", ": centre of its disc, im", disc.centreIm, -1e6);
-        number(" disc radius", ": radius of its disc", disc.radius, 0);
-        all.command("ensemble keep " + disc.name, "Draw " + disc.name + " no longer", "", [c, k] {
-            auto& discs = c->workspace.view().ensemble.discs;
-            discs.erase(discs.begin() + static_cast<std::ptrdiff_t>(k));
-            c->touch();
-        });
+        number(" disc re", trLater("{1}: centre of its disc, re"), disc.centreRe, -1e6);
+        number(" disc im", trLater("{1}: centre of its disc, im"), disc.centreIm, -1e6);
+        number(" disc radius", trLater("{1}: radius of its disc"), disc.radius, 0);
+        all.command("ensemble keep " + disc.name, tr("Draw {1} no longer", {disc.name}), "",
+                    [c, k] {
+                        auto& discs = c->workspace.view().ensemble.discs;
+                        discs.erase(discs.begin() + static_cast<std::ptrdiff_t>(k));
+                        c->touch();
+                    });
     }
     const auto more = [&](const char* id, const char* label, std::vector<std::string> names,
                           void (*add)(Scene&, const std::string&)) {
         if (!names.empty())
-            all.choice(id, label, "", names,
-                       [c, add](const std::string& name) { add(c->workspace.view(), name); });
+            all.choice(
+                id, label, "", names,
+                [c, add](const std::string& name) { add(c->workspace.view(), name); }, names);
     };
     more("ensemble range", "draw a number from a range", freeRanges(scene), addRange);
     more("ensemble disc", "draw a complex number from a disc", freeDiscs(scene), addDisc);
@@ -125,7 +130,8 @@ void collectEnsemble(StudioContext& context, ControlList& all) {
                 c->report(averageOverVersors(c->workspace.view()));
         });
     if (ensemble.varies()) {
-        const std::vector<std::string> shown{"mean", "standard error", "neither"};
+        const std::vector<std::string> shown{trLater("mean"), trLater("standard error"),
+                                             trLater("neither")};
         const std::vector<std::string> fields{"mean_membership", "standard_error", ""};
         const auto at = std::find(fields.begin(), fields.end(), shownAverage(scene));
         all.choice("ensemble shown", "what is shown",
@@ -166,7 +172,7 @@ std::vector<Command> ensembleCommands(StudioContext& context) {
             {"Average over c in a disc, or over another number of the map", "",
              [c] { run(*c, averageOverNumber); }},
             {"Mean of φ over circles of radius r, against r", "",
-             [c] { c->strip = StudioContext::Strip::profile; }}};
+             [c] { c->show(StudioContext::Strip::profile); }}};
 }
 
 }  // namespace versorium

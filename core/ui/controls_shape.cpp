@@ -24,7 +24,7 @@ void collectModulation(StudioContext& context, ControlList& all, bool alpha) {
         if (status.ok()) c->workspace = std::move(next);
         return status.ok();
     };
-    all.text(id + "shape", name + " differs within this shape", spec.shape,
+    all.text(id + "shape", tr("{1} differs within this shape", {name}), spec.shape,
              [c, change](const std::string& text) {
                  const bool done = change([&](ModulationSpec& each) { each.shape = text; });
                  if (done) c->touch();
@@ -38,21 +38,21 @@ void collectModulation(StudioContext& context, ControlList& all, bool alpha) {
                    });
     };
     if (!spec.shape.empty()) {
-        number("value", name + " within that shape", spec.value, alpha ? 5 : 0.01,
+        number("value", tr("{1} within that shape", {name}), spec.value, alpha ? 5 : 0.01,
                &ModulationSpec::value);
-        number("from", name + " has that value up to this distance", spec.from, 0.01,
+        number("from", tr("{1} has that value up to this distance", {name}), spec.from, 0.01,
                &ModulationSpec::from);
-        number("to", name + " is as usual from this distance on", spec.to, 0.01,
+        number("to", tr("{1} is as usual from this distance on", {name}), spec.to, 0.01,
                &ModulationSpec::to);
     }
     double& value = alpha ? context.drawing.alpha : context.drawing.beta;
-    all.number(id + "brush", name + " of the brush", value, alpha ? 5 : 0.01, -kLargestModulated,
-               kLargestModulated, [&value](double wanted) { value = wanted; });
-    all.command(id + "dab", "Paint " + name + " at the orbit's starting point", "", [c, alpha] {
+    all.number(id + "brush", tr("{1} of the brush", {name}), value, alpha ? 5 : 0.01,
+               -kLargestModulated, kLargestModulated, [&value](double wanted) { value = wanted; });
+    all.command(id + "dab", tr("Paint {1} at the orbit's starting point", {name}), "", [c, alpha] {
         paintAtPoint(*c, alpha ? Drawing::Tool::alpha : Drawing::Tool::beta);
     });
     if (!spec.discs.empty())
-        all.command(id + "clear", "Take all paint of " + name + " away", "", [c, specOf] {
+        all.command(id + "clear", tr("Take all paint of {1} away", {name}), "", [c, specOf] {
             for (Scene& scene : c->workspace.views) specOf(scene).discs.clear();
             c->touch();
         });

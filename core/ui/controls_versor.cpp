@@ -35,7 +35,7 @@ void collectRoots(StudioContext& context, ControlList& all) {
             for (std::size_t i = 0; i < parts.size(); ++i)
                 number(parts[i], list.roots[k].q[i], 0.05, 1e6);
             number("power", list.roots[k].power, 1, kLargestRootPower);
-            all.command(id + "remove", id.substr(0, id.size() - 1) + ": take it away", "",
+            all.command(id + "remove", tr("{1}: take it away", {id.substr(0, id.size() - 1)}), "",
                         [c, ref] {
                             c->versor.chosen = ref;
                             removeChosenRoot(*c);
@@ -70,7 +70,7 @@ void collectRandom(StudioContext& context, ControlList& all) {
     all.choice("random powers", "roots at random: powers", options.wholePowers ? "whole" : "real",
                {"whole", "real"},
                [&options](const std::string& word) { options.wholePowers = word == "whole"; });
-    const std::vector<std::string> words{"even", "clustered", "spread"};
+    const std::vector<std::string> words{trLater("even"), trLater("clustered"), trLater("spread")};
     all.choice("random arrangement", "roots at random: arrangement",
                words[static_cast<std::size_t>(options.arrangement)], words,
                [&options, words](const std::string& word) {
@@ -90,13 +90,13 @@ void collectRandom(StudioContext& context, ControlList& all) {
           ContactSheet::kMost);
     // The sheet's candidates, one of which may be taken without seeing them.
     for (std::size_t k = 0; context.sheet.open && k < context.sheet.candidates.size(); ++k)
-        all.command(
-            "candidate " + std::to_string(k + 1),
-            "Take the candidate of seed " + std::to_string(context.sheet.candidates[k].seed), "",
-            [c, k] {
-                pickCandidate(*c, static_cast<int>(k));
-                c->sheet.open = false;
-            });
+        all.command("candidate " + std::to_string(k + 1),
+                    tr("Take the candidate of seed {1}",
+                       {std::to_string(context.sheet.candidates[k].seed)}),
+                    "", [c, k] {
+                        pickCandidate(*c, static_cast<int>(k));
+                        c->sheet.open = false;
+                    });
 }
 
 void collectCircles(StudioContext& context, ControlList& all) {
@@ -109,17 +109,18 @@ void collectCircles(StudioContext& context, ControlList& all) {
     const MapKernels& map = mapOf(workspace.views[0]);
     for (std::size_t k = 0; k < workspace.circles.size(); ++k) {
         const std::string id = "circles[" + std::to_string(k) + "].";
-        const std::string label = "circle " + std::to_string(k + 1) + ": ";
-        all.number(id + "radius", label + "radius", workspace.circles[k].radius, 0.05, 1e-12, 1e6,
+        const std::string number = std::to_string(k + 1);
+        all.number(id + "radius", tr("circle {1}: radius", {number}), workspace.circles[k].radius,
+                   0.05, 1e-12, 1e6,
                    [c, k](double value) { c->workspace.circles[k].radius = value; });
         for (int i = 0; i < map.dimension; ++i) {
             const auto at = static_cast<std::size_t>(i);
             all.number(id + "centre" + std::to_string(i),
-                       label + "centre " + stateComponent(map.info, i),
+                       tr("circle {1}: centre {2}", {number, stateComponent(map.info, i)}),
                        workspace.circles[k].centre[at], 0.05, -1e6, 1e6,
                        [c, k, at](double value) { c->workspace.circles[k].centre[at] = value; });
         }
-        all.command(id + "remove", label + "take it away", "",
+        all.command(id + "remove", tr("circle {1}: take it away", {number}), "",
                     [c, k] { removeCircle(*c, static_cast<int>(k)); });
     }
 }

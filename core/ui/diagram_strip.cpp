@@ -7,6 +7,7 @@
 
 #include "ui/context.h"
 #include "ui/help.h"
+#include "ui/shown_number.h"
 #include "ui/texture.h"
 
 namespace versorium {
@@ -16,8 +17,8 @@ constexpr double kWheel = 0.8;
 constexpr int kMostColumns = 1200;
 
 std::string periodText(int period) {
-    if (period > 0) return "period " + std::to_string(period);
-    return period < 0 ? "escapes" : "bounded, no cycle found";
+    if (period > 0) return tr("period {1}", {std::to_string(period)});
+    return period < 0 ? tr("escapes") : tr("bounded, no cycle found");
 }
 
 void put(StudioContext& context, DiagramStudy& study) {
@@ -77,25 +78,24 @@ void drawHead(StudioContext& context) {
     bool moved = false;
     for (const bool left : {true, false}) {
         ImGui::SameLine(0, 8);
-        ImGui::TextUnformatted(left ? "from" : "to");
+        ImGui::TextUnformatted(left ? tr("from") : tr("to"));
         ImGui::SameLine(0, 4);
         ImGui::SetNextItemWidth(letter * 4.6f);
         double& end = left ? diagram.left : diagram.right;
-        moved |= ImGui::DragScalar(left ? "##from" : "##to", ImGuiDataType_Double, &end,
-                                   static_cast<float>(speed), nullptr, nullptr, "%.6g");
+        moved |= dragNumber(left ? "##from" : "##to", end, speed, "%.6g");
         explain("diagram range");
     }
     ImGui::PopStyleVar();
     if (moved && std::isfinite(diagram.left) && std::isfinite(diagram.right))
         keep(context, diagram);
     ImGui::SameLine(0, 8);
-    if (ImGui::SmallButton("usual range")) {
+    if (ImGui::SmallButton(tr("usual range"))) {
         workspace.diagram.number.clear();
         context.touch();
     }
     explain("diagram usual");
     ImGui::SameLine(0, 8);
-    if (ImGui::SmallButton("fit")) fitDiagram(context);
+    if (ImGui::SmallButton(tr("fit"))) fitDiagram(context);
     explain("diagram fit");
 }
 
@@ -104,7 +104,7 @@ void drawHead(StudioContext& context) {
 void drawDiagram(StudioContext& context) {
     Workspace& workspace = context.workspace;
     if (mapOf(workspace.views[0]).parameters == 0) {
-        ImGui::TextDisabled("This map has no parameter to draw its attractor against.");
+        ImGui::TextDisabled("%s", tr("This map has no parameter to draw its attractor against."));
         return;
     }
     drawHead(context);
@@ -149,7 +149,7 @@ void drawDiagram(StudioContext& context) {
     list.PushClipRect(low, high, true);
     if (!study.problem.empty())
         list.AddText({low.x + 8, low.y + 6}, ImGui::GetColorU32(ImGuiCol_Text),
-                     study.problem.c_str());
+                     trMessage(study.problem).c_str());
     put(context, study);
     if (study.texture && study.diagram) list.AddImage(textureId(study.texture), low, high);
     const double now = sharedNumber(workspace, diagram.number);
@@ -164,14 +164,13 @@ void drawDiagram(StudioContext& context) {
     };
     if (line >= low.x && line <= high.x)
         list.AddLine({line, low.y}, {line, high.y}, ImGui::GetColorU32(ImGuiCol_CheckMark), 2);
-    std::string text =
-        diagram.number + " = " + formatNumber(now, 7) +
-        (line >= low.x && line <= high.x ? told(line) : std::string(",  beyond this range"));
+    std::string text = diagram.number + " = " + shownNumber(now, 7) +
+                       (line >= low.x && line <= high.x ? told(line) : tr(",  beyond this range"));
     drawText(list, {low.x + 8, low.y + 4}, IM_COL32(255, 222, 110, 255), text);
     if (hovered) {
         const float x = io.MousePos.x;
         list.AddLine({x, low.y}, {x, high.y}, ImGui::GetColorU32(ImGuiCol_TextDisabled, 0.8f), 1);
-        text = formatNumber(valueAt(x), 7) + told(x);
+        text = shownNumber(valueAt(x), 7) + told(x);
         const float wide = ImGui::CalcTextSize(text.c_str()).x;
         drawText(list,
                  {std::min(x + 8, high.x - wide - 6), low.y + 4 + 1.5f * ImGui::GetFontSize()},
@@ -180,8 +179,8 @@ void drawDiagram(StudioContext& context) {
     if (study.diagram) {
         const MapInfo& info = mapOf(workspace.views[0]).info;
         const std::string state = stateComponent(info, study.options.component);
-        text = state + " from " + formatNumber(study.options.low, 4) + " to " +
-               formatNumber(study.options.high, 4);
+        text = tr("{1} from {2} to {3}",
+                  {state, shownNumber(study.options.low, 4), shownNumber(study.options.high, 4)});
         drawText(list, {high.x - ImGui::CalcTextSize(text.c_str()).x - 8, low.y + 4},
                  IM_COL32(231, 233, 238, 255), text);
     }

@@ -202,13 +202,14 @@ bool drawingKeys(StudioContext& context) {
 std::string drawingHint(const StudioContext& context) {
     switch (context.drawing.tool) {
         case Drawing::Tool::outline:
-            return "Draw an outline in one stroke, or click its corners and close it. Esc: stop";
+            return tr(
+                "Draw an outline in one stroke, or click its corners and close it. Esc: stop");
         case Drawing::Tool::alpha:
-            return "Paint: where you paint, α becomes " + formatNumber(context.drawing.alpha, 4) +
-                   ". Esc: the brush down";
+            return tr("Paint: where you paint, α becomes {1}. Esc: the brush down",
+                      {shownNumber(context.drawing.alpha, 4)});
         case Drawing::Tool::beta:
-            return "Paint: where you paint, β becomes " + formatNumber(context.drawing.beta, 4) +
-                   ". Esc: the brush down";
+            return tr("Paint: where you paint, β becomes {1}. Esc: the brush down",
+                      {shownNumber(context.drawing.beta, 4)});
         default:
             return {};
     }

@@ -73,12 +73,15 @@ void drawOverlay(StudioContext& context, int view, const ViewPlane& plane, ImDra
     }
     list.AddImage(textureId(overlay.texture), plane.low, plane.high);
     const std::string name = alpha ? "α" : "β";
-    const std::string text = overlay.low == overlay.high
-                                 ? name + " = " + formatNumber(overlay.low, 4) + " everywhere"
-                                 : name + " from " + formatNumber(overlay.low, 4) + " to " +
-                                       formatNumber(overlay.high, 4) +
-                                       ": amber above its usual value, blue below";
-    drawText(list, {plane.low.x + 12, plane.high.y - 26 * context.scale}, kInk, text);
+    const std::string low = versorium::shownNumber(overlay.low, 4);
+    const std::string text =
+        overlay.low == overlay.high
+            ? tr("{1} = {2} everywhere", {name, low})
+            : tr("{1} from {2} to {3}: amber above its usual value, blue below",
+                 {name, low, versorium::shownNumber(overlay.high, 4)});
+    const float wide = plane.high.x - plane.low.x - 24;
+    const float tall = ImGui::CalcTextSize(text.c_str(), nullptr, false, wide).y;
+    drawText(list, {plane.low.x + 12, plane.high.y - tall - 10 * context.scale}, kInk, text, wide);
 }
 
 void drawCorners(const StudioContext& context, const ViewPlane& plane, ImDrawList& list) {

@@ -122,7 +122,8 @@ Status averageOverVersors(Scene& scene) {
 std::string averagedNumber(const Scene& scene) {
     const Candidate candidate = candidateOf(scene);
     if (candidate.name.empty()) return {};
-    return candidate.name + (candidate.disc ? " in a disc" : " in a range");
+    return tr(candidate.disc ? trLater("{1} in a disc") : trLater("{1} in a range"),
+              {candidate.name});
 }
 
 Status averageOverNumber(Scene& scene) {
@@ -173,11 +174,11 @@ void addDisc(Scene& scene, const std::string& name) {
 
 const std::vector<std::pair<std::string, std::vector<double>>>& contourChoices() {
     static const std::vector<std::pair<std::string, std::vector<double>>> choices = {
-        {"none", {}},
+        {trLater("none"), {}},
         {"0.05, 0.5, 0.95", {0.05, 0.5, 0.95}},
         {"0.5", {0.5}},
         {"0.25, 0.5, 0.75", {0.25, 0.5, 0.75}},
-        {"0.1 to 0.9", {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9}}};
+        {trLater("0.1 to 0.9"), {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9}}};
     return choices;
 }
 
@@ -215,17 +216,17 @@ std::string describeEnsemble(const StudioContext& context, int view) {
     const EnsembleSpec& ensemble = scene.ensemble;
     const LivePicture& picture = context.views[index].picture;
     const int goal = picture.memberGoal() > 0 ? picture.memberGoal() : ensemble.count;
-    std::string text = shown == kMean ? "Mean of " : "Standard error of the mean of ";
-    text += std::to_string(picture.members()) + " of " + std::to_string(goal) + " sets";
     std::string drawn;
     const auto also = [&](const std::string& what) { drawn += (drawn.empty() ? "" : ", ") + what; };
-    if (ensemble.roots) also("random " + ensemble.roots->list);
+    if (ensemble.roots) also(tr("random {1}", {tr(std::string_view(ensemble.roots->list))}));
     for (const EnsembleRange& range : ensemble.ranges)
-        also(range.name + " from " + formatNumber(range.from, 4) + " to " +
-             formatNumber(range.to, 4));
+        also(tr("{1} from {2} to {3}",
+                {range.name, shownNumber(range.from, 4), shownNumber(range.to, 4)}));
     for (const EnsembleDisc& disc : ensemble.discs)
-        also(disc.name + " from a disc of radius " + formatNumber(disc.radius, 4));
-    return text + " with " + drawn + ".";
+        also(tr("{1} from a disc of radius {2}", {disc.name, shownNumber(disc.radius, 4)}));
+    return tr(shown == kMean ? trLater("Mean of {1} of {2} sets with {3}.")
+                             : trLater("Standard error of the mean of {1} of {2} sets with {3}."),
+              {std::to_string(picture.members()), std::to_string(goal), drawn});
 }
 
 }  // namespace versorium

@@ -14,7 +14,8 @@
 namespace versorium {
 namespace {
 
-const std::vector<std::string> kArrangements{"even", "clustered", "spread"};
+const std::vector<std::string> kArrangements{trLater("even"), trLater("clustered"),
+                                             trLater("spread")};
 
 void take(StudioContext& context, const Status& status) {
     if (!status.ok()) return context.report(status);
@@ -25,13 +26,13 @@ void take(StudioContext& context, const Status& status) {
 void beginButtons(StudioContext& context) {
     Scene& scene = context.workspace.view();
     if (!mapOf(scene).info.lists.empty()) {
-        if (ImGui::Button("over random versors")) take(context, averageOverVersors(scene));
+        if (ImGui::Button(tr("over random versors"))) take(context, averageOverVersors(scene));
         explain("average versors");
     }
     const std::string number = averagedNumber(scene);
     if (number.empty()) return;
     if (!mapOf(scene).info.lists.empty()) ImGui::SameLine();
-    if (ImGui::Button(("over " + number + "##number").c_str()))
+    if (ImGui::Button((tr("over {1}", {number}) + "###number").c_str()))
         take(context, averageOverNumber(scene));
     explain("average number");
 }
@@ -61,7 +62,7 @@ bool rootControls(StudioContext& context, Scene& scene) {
     if (info.lists.empty()) return false;
     EnsembleSpec& ensemble = scene.ensemble;
     bool on = ensemble.roots.has_value(), changed = false;
-    if (ImGui::Checkbox("random roots", &on)) {
+    if (ImGui::Checkbox(tr("random roots"), &on)) {
         if (!on)
             ensemble.roots.reset();
         else
@@ -84,7 +85,7 @@ bool rootControls(StudioContext& context, Scene& scene) {
     }
     moved |= real(context, "low power", "power, least", "ensemble power", next.lowPower, 0.5, 10);
     moved |= real(context, "high power", "power, most", "ensemble power", next.highPower, 0.5, 10);
-    moved |= ImGui::Checkbox("whole powers", &next.wholePowers);
+    moved |= ImGui::Checkbox(tr("whole powers"), &next.wholePowers);
     explain("ensemble whole");
     std::string arrangement = kArrangements[static_cast<std::size_t>(next.arrangement)];
     if (choose("arranged", "ensemble arrangement", arrangement, kArrangements)) {
@@ -104,14 +105,14 @@ bool rootControls(StudioContext& context, Scene& scene) {
         moved = true;
     }
     if (info.field) {
-        if (ImGui::Checkbox("in the shape's box", &roots.shapeBox)) changed = true;
+        if (ImGui::Checkbox(tr("in the shape's box"), &roots.shapeBox)) changed = true;
         explain("ensemble box");
     }
     if (!roots.shapeBox) {
         const auto dimension = static_cast<std::size_t>(dimensionOf(info.algebra));
         for (std::size_t k = 0; k < dimension; ++k) {
             const std::string label =
-                "half extent " + stateComponent(info, static_cast<int>(k)).substr(2);
+                tr("half extent {1}", {stateComponent(info, static_cast<int>(k)).substr(2)});
             moved |= real(context, label, label.c_str(), "ensemble half", next.half[k], 0, 2);
         }
     }
@@ -130,7 +131,7 @@ std::string chooseMore(const char* id, const char* text, const char* control,
     std::string chosen;
     if (names.empty()) return chosen;
     ImGui::SetNextItemWidth(0.48f * ImGui::GetContentRegionAvail().x);
-    const bool open = ImGui::BeginCombo(id, text);
+    const bool open = ImGui::BeginCombo(id, tr(text));
     if (!open) explain(control);
     if (!open) return chosen;
     for (const std::string& name : names)
@@ -143,7 +144,7 @@ bool removeButton(const std::string& name) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(name.c_str());
     ImGui::SameLine();
-    const bool pressed = ImGui::SmallButton(("remove##" + name).c_str());
+    const bool pressed = ImGui::SmallButton((tr("remove") + ("##" + name)).c_str());
     explain("ensemble remove");
     return pressed;
 }
@@ -153,7 +154,7 @@ bool numberControls(StudioContext& context, Scene& scene) {
     bool changed = false;
     for (std::size_t k = 0; k < ensemble.ranges.size(); ++k) {
         EnsembleRange& range = ensemble.ranges[k];
-        if (removeButton(range.name + " from a range")) {
+        if (removeButton(tr("{1} from a range", {range.name}))) {
             ensemble.ranges.erase(ensemble.ranges.begin() + static_cast<std::ptrdiff_t>(k));
             return true;
         }
@@ -165,7 +166,7 @@ bool numberControls(StudioContext& context, Scene& scene) {
     }
     for (std::size_t k = 0; k < ensemble.discs.size(); ++k) {
         EnsembleDisc& disc = ensemble.discs[k];
-        if (removeButton(disc.name + " from a disc")) {
+        if (removeButton(tr("{1} from a disc", {disc.name}))) {
             ensemble.discs.erase(ensemble.discs.begin() + static_cast<std::ptrdiff_t>(k));
             return true;
         }
@@ -232,9 +233,11 @@ bool showControls(Scene& scene) {
     const std::string now = shownAverage(scene);
     bool changed = false;
     const std::pair<const char*, const char*> choices[] = {
-        {"mean", "mean_membership"}, {"standard error", "standard_error"}, {"neither", ""}};
+        {trLater("mean"), "mean_membership"},
+        {trLater("standard error"), "standard_error"},
+        {trLater("neither"), ""}};
     for (const auto& [label, field] : choices) {
-        if (ImGui::RadioButton(label, now == field) && now != field) {
+        if (ImGui::RadioButton(tr(label), now == field) && now != field) {
             showAverage(scene, field);
             changed = true;
         }
@@ -256,7 +259,9 @@ void drawEnsemble(StudioContext& context) {
     if (!shownAverage(scene).empty()) {
         const LivePicture& picture =
             context.views[static_cast<std::size_t>(context.workspace.focused)].picture;
-        ImGui::TextDisabled("%d of %d sets counted", picture.members(), ensemble.count);
+        ImGui::TextDisabled("%s", tr("{1} of {2} sets counted", {std::to_string(picture.members()),
+                                                                 std::to_string(ensemble.count)})
+                                      .c_str());
     }
     changed |=
         whole(context, "members", "members", "ensemble members", ensemble.count, 1, 100000, true);
@@ -267,7 +272,7 @@ void drawEnsemble(StudioContext& context) {
     changed |= rootControls(context, scene);
     changed |= numberControls(context, scene);
     if (!shownAverage(scene).empty()) changed |= contourControls(context, scene);
-    if (ImGui::Button("no average")) {
+    if (ImGui::Button(tr("no average"))) {
         showAverage(scene, "");
         ensemble = {};
         changed = true;

@@ -7,18 +7,20 @@
 #include "render/renderer.h"
 #include "ui/context.h"
 #include "ui/help.h"
+#include "ui/panel_parts.h"
+#include "ui/shown_number.h"
 
 namespace versorium {
 namespace {
 
 bool radio(const char* label, const char* control, bool now) {
-    const bool chosen = ImGui::RadioButton(label, now);
+    const bool chosen = ImGui::RadioButton(tr(label), now);
     explain(control);
     return chosen;
 }
 
 void pictureOptions(StudioContext& context, ExportOptions& options) {
-    ImGui::InputInt("pixels wide", &options.width, 100, 1000);
+    ImGui::InputInt(tr("pixels wide"), &options.width, 100, 1000);
     explain("pixels wide");
     options.width = std::clamp(options.width, 16, kMostPixels);
     ImGui::SameLine();
@@ -32,15 +34,17 @@ void motionOptions(StudioContext& context, ExportOptions& options) {
         ImGui::SameLine();
         if (radio("film (WebM)", "film kind", options.film)) options.film = true;
     }
-    ImGui::TextDisabled("%d pictures of %s s", context.workspace.motion.frames(),
-                        formatNumber(context.workspace.motion.duration(), 4).c_str());
+    const Motion& motion = context.workspace.motion;
+    ImGui::TextUnformatted(tr("{1} pictures of {2} s",
+                              {std::to_string(motion.frames()), shownNumber(motion.duration(), 4)})
+                               .c_str());
 }
 
 void plateOptions(StudioContext& context, ExportOptions& options) {
-    const char* views = "what is shown";
-    const bool open =
-        ImGui::BeginCombo("of", options.builtIn.empty() ? views : options.builtIn.c_str(),
-                          ImGuiComboFlags_HeightLarge);
+    const char* views = tr("what is shown");
+    const bool open = ImGui::BeginCombo(named("of").c_str(),
+                                        options.builtIn.empty() ? views : options.builtIn.c_str(),
+                                        ImGuiComboFlags_HeightLarge);
     if (!open) explain("plate of");
     if (open) {
         if (ImGui::Selectable(views, options.builtIn.empty())) options.builtIn.clear();
@@ -53,30 +57,29 @@ void plateOptions(StudioContext& context, ExportOptions& options) {
         ImGui::SameLine();
         if (radio("all views", "export what", options.allViews)) options.allViews = true;
     }
-    const double least[2] = {60, 50}, most[2] = {2000, 2400};
-    ImGui::DragScalar("mm wide", ImGuiDataType_Double, &options.millimetres, 1, &least[0], &most[0],
-                      "%.4g", ImGuiSliderFlags_AlwaysClamp);
+    dragNumber(tr("mm wide"), options.millimetres, 1, "%.4g", 60, 2000);
     explain("plate width");
-    ImGui::DragScalar("pixels per inch", ImGuiDataType_Double, &options.dotsPerInch, 5, &least[1],
-                      &most[1], "%.4g", ImGuiSliderFlags_AlwaysClamp);
+    dragNumber(tr("pixels per inch"), options.dotsPerInch, 5, "%.4g", 50, 2400);
     explain("plate dpi");
     if (radio("paper", "plate theme", options.theme == "paper")) options.theme = "paper";
     ImGui::SameLine();
     if (radio("slide", "plate theme", options.theme == "slide")) options.theme = "slide";
     ImGui::SameLine();
-    ImGui::Checkbox("title", &options.title);
+    ImGui::Checkbox(tr("title"), &options.title);
     explain("plate title");
     ImGui::SameLine();
-    ImGui::Checkbox("caption", &options.caption);
+    ImGui::Checkbox(tr("caption"), &options.caption);
     explain("plate caption");
 }
 
 }  // namespace
 
 void drawExport(StudioContext& context) {
-    if (context.exportOpen && !ImGui::IsPopupOpen("Export")) ImGui::OpenPopup("Export");
+    const std::string window = named("Export");
+    if (context.exportOpen && !ImGui::IsPopupOpen(window.c_str())) ImGui::OpenPopup(window.c_str());
     ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
-    if (!ImGui::BeginPopupModal("Export", &context.exportOpen, ImGuiWindowFlags_AlwaysAutoResize))
+    if (!ImGui::BeginPopupModal(window.c_str(), &context.exportOpen,
+                                ImGuiWindowFlags_AlwaysAutoResize))
         return;
     ExportOptions& options = context.exporting;
     const double progress = context.host.exportProgress();
@@ -98,30 +101,31 @@ void drawExport(StudioContext& context) {
     else
         pictureOptions(context, options);
     int samples = context.workspace.view().samples;
-    if (ImGui::DragInt("samples along a pixel", &samples, 0.05f, 1, kMostSamples, "%d",
+    if (ImGui::DragInt(tr("samples along a pixel"), &samples, 0.05f, 1, kMostSamples, "%d",
                        ImGuiSliderFlags_AlwaysClamp)) {
         for (Scene& scene : context.workspace.views) scene.samples = samples;
         context.touch();
     }
     explain("samples");
-    ImGui::TextDisabled(options.motion ? "Each PNG carries its scene: it can be opened again."
-                                       : "The PNG carries its scene: it can be opened again.");
+    ImGui::TextDisabled("%s", options.motion
+                                  ? tr("Each PNG carries its scene: it can be opened again.")
+                                  : tr("The PNG carries its scene: it can be opened again."));
     const bool enter =
         progress < 0 && !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(ImGuiKey_Enter, false);
-    if (ImGui::Button("Export") || enter) context.startExport();
+    if (ImGui::Button(tr("Export")) || enter) context.startExport();
     explain("export");
     ImGui::SameLine();
-    if (ImGui::Button("Copy image")) context.copyImage();
+    if (ImGui::Button(tr("Copy image"))) context.copyImage();
     explain("copy image");
     ImGui::EndDisabled();
     ImGui::SameLine();
     if (progress >= 0) {
         ImGui::ProgressBar(static_cast<float>(progress), {ImGui::GetFontSize() * 8, 0});
         ImGui::SameLine();
-        if (ImGui::Button("Cancel")) context.host.cancelExport();
+        if (ImGui::Button(tr("Cancel"))) context.host.cancelExport();
         explain("cancel");
     } else {
-        const bool closed = ImGui::Button("Close");
+        const bool closed = ImGui::Button(tr("Close"));
         explain("close");
         if (closed || ImGui::IsKeyPressed(ImGuiKey_Escape)) {
             context.exportOpen = false;
@@ -141,7 +145,9 @@ void takeExport(StudioContext& context) {
     std::optional<Expected<std::string>> outcome = context.host.takeExport();
     if (!outcome) return;
     if (*outcome) {
-        context.say((context.copying ? "The picture is in " : "Exported: ") + **outcome);
+        const std::string where = trMessage(**outcome);
+        context.say(context.copying ? tr("The picture is in {1}", {where})
+                                    : tr("Exported: {1}", {where}));
         context.exportOpen = false;
     } else if (outcome->status().kind() == ErrorKind::cancelled) {
         context.say("The export was cancelled; nothing was written");

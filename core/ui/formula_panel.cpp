@@ -56,15 +56,15 @@ void drawSaving(StudioContext& context, const std::string& text) {
     FormulaEditor& editor = context.formula;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x * 0.55f);
     const bool enter = textField<SavedFormulas::kNameSize + 1>(
-        "##formula name", "a name for it", editor.name, ImGuiInputTextFlags_EnterReturnsTrue);
+        "##formula name", tr("a name for it"), editor.name, ImGuiInputTextFlags_EnterReturnsTrue);
     explain("formula name");
     ImGui::SameLine();
-    const bool pressed = ImGui::Button("Save formula");
+    const bool pressed = ImGui::Button(tr("Save formula"));
     explain("save formula");
     if (enter || pressed) {
         const Status status = context.formulas.save(context.host, editor.name, text);
         if (status.ok()) {
-            context.say("The formula is saved as " + editor.name);
+            context.say(tr("The formula is saved as {1}", {editor.name}));
             editor.name.clear();
         } else {
             context.report(status);
@@ -74,17 +74,17 @@ void drawSaving(StudioContext& context, const std::string& text) {
     const auto own = std::find_if(all.begin(), all.end(),
                                   [&](const SavedFormula& one) { return one.text == text; });
     if (own == all.end()) return;
-    ImGui::TextDisabled("saved as %s", own->name.c_str());
+    ImGui::TextDisabled("%s", tr("saved as {1}", {own->name}).c_str());
     ImGui::SameLine();
     const std::string name = own->name;
-    if (ImGui::SmallButton("forget it")) context.formulas.forget(context.host, name);
+    if (ImGui::SmallButton(tr("forget it"))) context.formulas.forget(context.host, name);
     explain("forget formula");
 }
 
 }  // namespace
 
 void drawFormulaChoices(StudioContext& context) {
-    if (ImGui::Selectable("Formula of your own…", false)) editFormula(context);
+    if (ImGui::Selectable(tr("Formula of your own…"), false)) editFormula(context);
     explain("formula");
     // A copy: choosing one changes nothing in the list, but what is drawn may.
     const std::vector<SavedFormula> all = context.formulas.all();
@@ -146,13 +146,13 @@ void drawFormulaPanel(StudioContext& context) {
     if (!editor.fault.message.empty()) {
         drawPointer(editor, id, low, high);
         ImGui::PushTextWrapPos();
-        ImGui::TextUnformatted(editor.fault.message.c_str());
+        ImGui::TextUnformatted(trMessage(editor.fault.message).c_str());
         ImGui::PopTextWrapPos();
     } else if (!present || editor.text != editor.shown) {
-        ImGui::TextDisabled("Enter takes it");
+        ImGui::TextDisabled("%s", tr("Enter takes it"));
         if (present) return;
         ImGui::SameLine();
-        if (ImGui::SmallButton("never mind")) editor.open = false;
+        if (ImGui::SmallButton(tr("never mind"))) editor.open = false;
         explain("no formula");
     } else {
         drawSaving(context, present->formula().text);

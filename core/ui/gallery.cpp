@@ -13,6 +13,7 @@ namespace {
 static_assert(kThumbnails == kMostViews && kPictureSlots == kGridSlot + 1);
 
 constexpr const char* kStored = "recent";
+constexpr const char* kDot = " · ";
 // A thumbnail is not worth more; its points differ from the scene's by the last few bands.
 constexpr int kMostSteps = 2000;
 // Nor the members of an ensemble that are not counted by then; in seconds.
@@ -29,8 +30,19 @@ Expected<Scene> sceneOfEntry(const Gallery::Entry& entry) {
 
 std::string titleOf(const Workspace& workspace) {
     const MapInfo& info = mapOf(workspace.view()).info;
-    return std::string(workspace.view().formula ? info.formula : info.title) + " · " +
+    return std::string(workspace.view().formula ? info.formula : info.title) + kDot +
            formatNumber(workspace.view().slice.height, 2);
+}
+
+std::string shownTitle(const Gallery::Entry& entry) {
+    if (!entry.preset.empty()) {
+        const std::string other = tr(std::string_view(entry.preset));
+        return other == entry.preset ? entry.title : other;
+    }
+    const std::size_t height = entry.title.rfind(kDot);
+    if (height == std::string::npos) return entry.title;
+    return tr(std::string_view(entry.title).substr(0, height)) +
+           withDecimalSign(entry.title.substr(height));
 }
 
 void Gallery::load(Host& host) {

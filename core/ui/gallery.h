@@ -63,5 +63,7 @@ class Gallery {
 
 // "Quadratic family · 0.25": the map and how deep the marked view looks.
 std::string titleOf(const Workspace& workspace);
+// The title in the language of the interface.
+std::string shownTitle(const Gallery::Entry& entry);
 
 }  // namespace versorium

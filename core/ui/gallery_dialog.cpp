@@ -4,11 +4,10 @@
 
 #include "ui/context.h"
 #include "ui/help.h"
+#include "ui/panel_parts.h"
 
 namespace versorium {
 namespace {
-
-constexpr const char* kTitle = "Presets and recent scenes";
 
 void openEntry(StudioContext& context, const Gallery::Entry& entry) {
     if (!entry.preset.empty()) {
@@ -39,7 +38,7 @@ bool drawCell(StudioContext& context, const Gallery::Entry& entry, bool chosen, 
         list.AddRectFilled(low, corner, ImGui::GetColorU32(ImGuiCol_WindowBg), 6);
     ImGui::PushClipRect({low.x + 4, low.y}, {high.x - 4, high.y}, true);
     list.AddText({low.x + 8, corner.y + 3 * context.scale}, ImGui::GetColorU32(ImGuiCol_Text),
-                 entry.title.c_str());
+                 shownTitle(entry).c_str());
     ImGui::PopClipRect();
     if (hovered || chosen)
         list.AddRect(low, high,
@@ -75,15 +74,17 @@ int moved(int chosen, int columns, int presets, int recent) {
 }  // namespace
 
 void drawGallery(StudioContext& context) {
-    if (context.galleryOpen && !ImGui::IsPopupOpen(kTitle)) {
-        ImGui::OpenPopup(kTitle);
+    const std::string window = named("Presets and recent scenes");
+    if (context.galleryOpen && !ImGui::IsPopupOpen(window.c_str())) {
+        ImGui::OpenPopup(window.c_str());
         context.galleryAt = 0;
     }
     const ImGuiViewport& screen = *ImGui::GetMainViewport();
     ImGui::SetNextWindowPos(screen.GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize(
         {std::min(920.0f * context.scale, screen.Size.x * 0.96f), screen.Size.y * 0.86f});
-    if (!ImGui::BeginPopupModal(kTitle, &context.galleryOpen, ImGuiWindowFlags_NoResize)) return;
+    if (!ImGui::BeginPopupModal(window.c_str(), &context.galleryOpen, ImGuiWindowFlags_NoResize))
+        return;
     bool idle = true;
     for (const ViewState& view : context.views) idle = idle && !view.picture.waiting();
     if (idle) context.gallery.ask(context.host);
@@ -106,8 +107,8 @@ void drawGallery(StudioContext& context) {
                    0, std::max(0, count - 1));
     int index = 0;
     for (const auto* entries : {&presets, &recent}) {
-        ImGui::TextDisabled(entries == &presets ? "Presets" : "Recent");
-        if (entries->empty()) ImGui::TextDisabled("What you work on will stand here.");
+        ImGui::TextDisabled("%s", entries == &presets ? tr("Presets") : tr("Recent"));
+        if (entries->empty()) ImGui::TextDisabled("%s", tr("What you work on will stand here."));
         int column = 0;
         for (const Gallery::Entry& entry : *entries) {
             if (column > 0) ImGui::SameLine(0, gap);

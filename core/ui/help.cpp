@@ -4,6 +4,7 @@
 #include <cassert>
 #include <string>
 
+#include "i18n/language.h"
 #include "imgui.h"
 
 namespace versorium {
@@ -26,6 +27,41 @@ constexpr Help kHelp[] = {
     {"gallery", "Presets and the scenes of last time, as pictures."},
     {"open", "Opens a scene, a picture that carries one, a mesh, an image or a palette."},
     {"export dialog", "A picture or a plate of what is shown, as a PNG of any size."},
+    {"lessons", "Lessons that lead through an idea: predict, try, see. Key: L"},
+    {"lesson", "Opens this lesson where you left it."},
+    {"open lesson", "A lesson that somebody else wrote: a file that ends in .md"},
+    {"close lessons", "Closes this pane. What you have done is kept."},
+    {"all lessons", "The list of lessons. What you have done in this one is kept."},
+    {"answer choice", "Choose, then commit: the answer is shown after that."},
+    {"answer", "Your prediction. Enter commits to it."},
+    {"ring answer", "Takes the place where the ring stands in the view as your answer."},
+    {"commit", "You stand by this answer: it is judged, and you see what it means."},
+    {"show answer", "Shows the answer beside yours."},
+    {"reveal scene", "The picture that belongs to the answer, and back to your own."},
+    {"hint", "The next hint. Fewer is more."},
+    {"reset step", "Everything as the teacher set this step up."},
+    {"all controls", "Opens the whole studio. The step waits as you leave it."},
+    {"back to step", "What you explored is left; the step is as you left it."},
+    {"step back", "The step before. Key: Page Up"},
+    {"step on", "The next step. Key: Page Down"},
+    {"export step", "A figure plate of this picture with the step's text, as a PNG to take home."},
+    {"save answers", "What you answered and reached, as a text to hand in."},
+    {"save answers json", "The same for a program."},
+    {"begin again", "Forgets what you did in this lesson."},
+    {"open control", "Open to you in this step."},
+    {"control access", "Open, locked (seen, but it cannot be changed) or hidden."},
+    {"link opens", "What the learner sees first."},
+    {"link rest",
+     "What becomes of all controls that are not named below. step: those of the lesson's step are "
+     "open, the others hidden."},
+    {"link theme", "The colours of the studio, such as those for a projector."},
+    {"link language", "The language that the studio speaks."},
+    {"copy teacher link", "Whoever opens this link gets the lesson or the view, with these locks."},
+    {"copy frame", "A piece of HTML that shows the studio within a web page or a course."},
+    {"close dialog", "Closes this window. Key: Escape"},
+    {"strip tab",
+     "The orbit as a series, a web or a diagram, in the place of the view; or the "
+     "view."},
     {"view tab", "Shows this view."},
     {"sheet", "The map, its parameters, the slice and the colours; or the picture alone."},
     {"undo", "Takes back what was done last. Key: Ctrl Z"},
@@ -264,12 +300,14 @@ constexpr Help kHelp[] = {
     {"preset", "Opens this scene. What is there now can be had back by undo."},
     {"folder", "The folder that is shown. A typed path opens with Enter."},
     {"file", "Opens this file, or goes into this folder."},
+    {"language", "The language of the interface. Files, links and formulas stay as they are."},
 };
 
-void show(std::string_view text) {
+void show(std::string_view english) {
+    const std::string text = tr(english);
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
-    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }

@@ -118,8 +118,14 @@ class Host {
     virtual std::string stored(const std::string& name) = 0;
     virtual void store(const std::string& name, const std::string& text) = 0;
 
+    // The language of the system, as it names it: "es_MX.UTF-8", "es-419". English where unknown.
+    virtual std::string preferredLanguage() const { return "en"; }
+
     // Fills the screen, or no longer; false where that cannot be.
     virtual bool toggleFullscreen() { return false; }
+
+    // Whether lessons are drawn by the host itself, from Studio::lesson, rather than as a pane.
+    virtual bool drawsLessons() const { return false; }
 
     virtual bool reducedMotion() const { return false; }
     // What a screen reader should say of what is shown.

@@ -47,14 +47,15 @@ bool pad(const char* id, double& x, double& y, double low, double high) {
 
 // What a parameter is called in formulas.
 std::string labelOf(const std::string& part) {
-    constexpr std::pair<const char*, const char*> kLetters[] = {{"alpha", "α"},
-                                                                {"beta", "β"},
-                                                                {"tau", "τ"},
-                                                                {kAsPrinted, "φ + β (print)"},
-                                                                {"log_scale", "log scale"},
-                                                                {"exponent_beta", "exponent β"}};
+    constexpr std::pair<const char*, const char*> kLetters[] = {
+        {"alpha", "α"},
+        {"beta", "β"},
+        {"tau", "τ"},
+        {kAsPrinted, trLater("φ + β (print)")},
+        {"log_scale", trLater("log scale")},
+        {"exponent_beta", trLater("exponent β")}};
     for (const auto& [name, letter] : kLetters)
-        if (part == name) return letter;
+        if (part == name) return tr(letter);
     return part;
 }
 
@@ -92,7 +93,7 @@ void parameters(StudioContext& context) {
             changed |= numberField(context, part, label, value[static_cast<std::size_t>(k)], look);
         }
         if (width >= 2) {
-            if (ImGui::SmallButton("reset")) {
+            if (ImGui::SmallButton(tr("reset"))) {
                 value.assign(parameter.value.begin(), parameter.value.begin() + width);
                 changed = true;
             }
@@ -112,7 +113,8 @@ void axisControl(StudioContext& context, std::size_t k) {
     const Scene& scene = context.workspace.view();
     const auto& terms = scene.slice.axes[k].terms;
     std::string name = terms.size() == 1 ? terms[0].first : "";
-    if (!choose(k == 0 ? "axis →" : "axis ↑", "axis", name, axisNames(scene), "several")) return;
+    if (!chooseName(k == 0 ? "axis →" : "axis ↑", "axis", name, axisNames(scene), "several"))
+        return;
     setAxis(context.workspace, k, name);
     context.touch();
 }
@@ -120,7 +122,7 @@ void axisControl(StudioContext& context, std::size_t k) {
 void borderControls(StudioContext& context) {
     Scene& scene = context.workspace.view();
     const double aspect = context.aspect(context.workspace.focused);
-    const char* labels[] = {"left", "right", "bottom", "top"};
+    const char* labels[] = {trLater("left"), trLater("right"), trLater("bottom"), trLater("top")};
     const std::array<double, 4> borders = bordersOf(scene, aspect);
     for (int k = 0; k < 4 && k / 2 < static_cast<int>(scene.slice.centre.size()); ++k) {
         double value = borders[static_cast<std::size_t>(k)];
@@ -139,7 +141,7 @@ void sliceControls(StudioContext& context) {
     for (std::size_t k = 0; k < 2 && k < scene.slice.axes.size(); ++k) axisControl(context, k);
     const SliceSpec there = homeOf(scene);
     for (std::size_t k = 0; k < 2 && k < scene.slice.centre.size(); ++k) {
-        const char* label = k == 0 ? "centre →" : "centre ↑";
+        const char* label = k == 0 ? trLater("centre →") : trLater("centre ↑");
         if (numberField(context, label, label, scene.slice.centre[k],
                         {.help = helpOf("centre"), .home = there.centre[k]})) {
             scene.slice.centreLow[k] = 0;
@@ -157,7 +159,8 @@ void sliceControls(StudioContext& context) {
         scene.slice.height = height;
         context.touch();
     }
-    const bool open = ImGui::TreeNodeEx("borders", ImGuiTreeNodeFlags_SpanAvailWidth);
+    const bool open =
+        ImGui::TreeNodeEx(named("borders").c_str(), ImGuiTreeNodeFlags_SpanAvailWidth);
     explain("borders");
     if (open) {
         borderControls(context);
@@ -173,7 +176,7 @@ bool rangeControls(StudioContext& context) {
     if (!program) return false;
     const Expected<ColourPass> pass = ColourPass::make(scene, *program);
     bool own = !colour.range.empty(), changed = false;
-    const bool toggled = ImGui::Checkbox("a range of your own", &own);
+    const bool toggled = ImGui::Checkbox(tr("a range of your own"), &own);
     explain("own range");
     if (toggled) {
         colour.range.clear();
@@ -186,7 +189,7 @@ bool rangeControls(StudioContext& context) {
     std::vector<double> next = colour.range;
     const double span = std::abs(next[1] - next[0]);
     for (std::size_t k = 0; k < 2; ++k) {
-        const char* label = k == 0 ? "from" : "to";
+        const char* label = k == 0 ? trLater("from") : trLater("to");
         changed |= numberField(context, std::string("colour ") + label, label, next[k],
                                {.help = helpOf(k == 0 ? "range from" : "range to"),
                                 .low = log ? std::min(1e-3, std::min(next[0], next[1]))
@@ -195,7 +198,7 @@ bool rangeControls(StudioContext& context) {
                                 .logarithmic = log});
     }
     const auto dragged = [&](const char* label, const char* control) {
-        ImGui::Button(label);
+        ImGui::Button(named(label).c_str());
         explain(control);
         const float moved = ImGui::IsItemActive() ? ImGui::GetIO().MouseDelta.x : 0;
         return static_cast<double>(moved) / 300;
@@ -221,7 +224,7 @@ bool gradientControls(StudioContext& context, const char* what, Gradient& range)
     const auto edit = [&](const char* label, DisplayColour& c) {
         float v[4] = {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b),
                       static_cast<float>(c.a)};
-        if (ImGui::ColorEdit4(label, v,
+        if (ImGui::ColorEdit4(named(label).c_str(), v,
                               ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_AlphaPreviewHalf |
                                   ImGuiColorEditFlags_NoTooltip)) {
             c = {v[0], v[1], v[2], v[3]};
@@ -229,7 +232,7 @@ bool gradientControls(StudioContext& context, const char* what, Gradient& range)
         }
         explain(label);
     };
-    ImGui::TextDisabled("%s", what);
+    ImGui::TextDisabled("%s", tr(what));
     ImGui::SameLine();
     edit("fast", range.start);
     ImGui::SameLine();
@@ -254,6 +257,17 @@ void choosePalette(StudioContext& context) {
     context.touch();
 }
 
+// The languages by their own names.
+void chooseLanguage(StudioContext& context) {
+    ImGui::SetNextItemWidth(-1);
+    const bool open = ImGui::BeginCombo("##language", languageNow().name.c_str());
+    if (!open) return explain("language");
+    for (const Language& language : languages())
+        if (ImGui::Selectable(language.name.c_str(), language.id == languageNow().id))
+            context.speak(language.id);
+    ImGui::EndCombo();
+}
+
 void colourControls(StudioContext& context) {
     Colouring& colour = context.workspace.view().colour;
     bool changed = choose("colour by", "colour by", colour.rule,
@@ -274,7 +288,7 @@ void colourControls(StudioContext& context) {
         ImGui::PushID("palette editor");
         drawPaletteEditor(context);
         ImGui::PopID();
-        changed |= ImGui::Checkbox("reversed", &colour.reverse);
+        changed |= ImGui::Checkbox(tr("reversed"), &colour.reverse);
         explain("reversed");
     }
     if (palette) {
@@ -283,7 +297,7 @@ void colourControls(StudioContext& context) {
                    {"", "linear", "log", "truncated_log", "sqrt", "cyclic"}, "the field's own");
         changed |= rangeControls(context);
         bool inside = colour.interior == "membership";
-        if (ImGui::Checkbox("the set in its own colour", &inside)) {
+        if (ImGui::Checkbox(tr("the set in its own colour"), &inside)) {
             colour.interior = inside ? "membership" : "none";
             changed = true;
         }
@@ -306,13 +320,12 @@ void drawInspector(StudioContext& context) {
     heading("Map");
     ImGui::SetNextItemWidth(-1);
     const bool open =
-        ImGui::BeginCombo("##map", std::string(info.title).c_str(), ImGuiComboFlags_HeightLarge);
+        ImGui::BeginCombo("##map", tr(info.title).c_str(), ImGuiComboFlags_HeightLarge);
     if (!open) explain("map");
     if (open) {
         drawFormulaChoices(context);
         for (const MapKernels& map : catalogue())
-            if (ImGui::Selectable(std::string(map.info.title).c_str(),
-                                  map.info.name == info.name) &&
+            if (ImGui::Selectable(tr(map.info.title).c_str(), map.info.name == info.name) &&
                 map.info.name != info.name) {
                 context.newMap(std::string(map.info.name));
                 break;
@@ -327,17 +340,20 @@ void drawInspector(StudioContext& context) {
         explainBy(shown.source);
     }
     drawFormulaPanel(context);
-    if (ImGui::Button("Gallery")) context.galleryOpen = true;
+    if (ImGui::Button(tr("Gallery"))) context.galleryOpen = true;
     explain("gallery");
     ImGui::SameLine();
-    if (ImGui::Button("Find")) context.searchOpen = true;
+    if (ImGui::Button(tr("Find"))) context.searchOpen = true;
     explain("find");
     ImGui::SameLine();
-    if (ImGui::Button("Open")) context.chooseFile();
+    if (ImGui::Button(tr("Open"))) context.chooseFile();
     explain("open");
     ImGui::SameLine();
-    if (ImGui::Button("Export")) context.exportOpen = true;
+    if (ImGui::Button(tr("Export"))) context.exportOpen = true;
     explain("export dialog");
+    ImGui::SameLine();
+    if (ImGui::Button(tr("Lessons"))) context.lessons.open = !context.lessons.open;
+    explain("lessons");
 
     heading("Parameters");
     if (workspace.views[0].map != "planar") parameters(context);
@@ -402,6 +418,8 @@ void drawInspector(StudioContext& context) {
         drawEnsemble(context);
     if (section("Images behind and in front", !workspace.view().layers.empty()))
         drawLayers(context);
+    heading("Language");
+    chooseLanguage(context);
 }
 
 }  // namespace versorium

@@ -12,13 +12,13 @@ namespace {
 // What a layer is called: the leaf, a colour, or the file's own name.
 std::string nameOf(const Scene& scene, const Layer& layer) {
     const std::string& source = layer.sources[0];
-    std::string name = source;
+    std::string name = tr(std::string_view(source));
     if (source.starts_with("asset:")) {
         const auto asset = scene.assets.find(source.substr(6));
-        name = asset == scene.assets.end() ? "an image that is missing" : asset->second->name;
+        name = asset == scene.assets.end() ? tr("an image that is missing") : asset->second->name;
     }
     if (layer.sources.size() > 1)
-        name += " and " + std::to_string(layer.sources.size() - 1) + " more";
+        name = tr("{1} and {2} more", {name, std::to_string(layer.sources.size() - 1)});
     return name;
 }
 
@@ -40,7 +40,7 @@ bool layerControls(StudioContext& context, std::size_t k, Layer& layer) {
     layer.opacity = std::clamp(layer.opacity, 0.0, 1.0);
     layer.x = std::clamp(layer.x, -100.0, 100.0);
     layer.y = std::clamp(layer.y, -100.0, 100.0);
-    changed |= ImGui::Checkbox("in front", &layer.front);
+    changed |= ImGui::Checkbox(tr("in front"), &layer.front);
     explain("layer front");
     return changed;
 }
@@ -71,28 +71,28 @@ void drawLayers(StudioContext& context) {
         changed = true;
     }
     if (scene.layers.size() < kMostLayers) {
-        if (ImGui::Button("Leaf")) {
+        if (ImGui::Button(tr("Leaf"))) {
             scene.layers.push_back({});
             changed = true;
         }
         explain("layer leaf");
         ImGui::SameLine();
-        if (ImGui::Button("White")) {
+        if (ImGui::Button(tr("White"))) {
             scene.layers.insert(scene.layers.begin(), Layer{.sources = {"#ffffff"}});
             changed = true;
         }
         explain("layer white");
         ImGui::SameLine();
-        if (ImGui::Button("Image …")) {
+        if (ImGui::Button(tr("Image …"))) {
             context.imagesAreLayers = true;
             context.chooseFile();
         }
         explain("layer image");
-        ImGui::Checkbox("opened images lie behind", &context.imagesAreLayers);
+        ImGui::Checkbox(tr("opened images lie behind"), &context.imagesAreLayers);
         explain("layer drop");
     }
     if (!scene.layers.empty() && scene.colour.rule != "gradient")
-        ImGui::TextDisabled("Colours of the gradient rule let images through.");
+        ImGui::TextDisabled("%s", tr("Colours of the gradient rule let images through."));
     if (changed) context.touch();
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "i18n/language.h"
 #include "render/cpu/averaged_map.h"
 #include "ui/texture.h"
 
@@ -108,11 +109,11 @@ bool LivePicture::askGpu(Host& host, const GpuUse& gpu, const LiveScene& scene, 
     }
     if (1.0 * size.width * size.height * samples * samples > kMostOrbits) {
         // What it has drawn so far stays; the last refinement is left to the processor.
-        why_ = "so many samples would take too much graphics memory";
+        why_ = trLater("so many samples would take too much graphics memory");
         return false;
     }
     if (!scene.program) {
-        why_ = "its shape is made into a distance grid there";
+        why_ = trLater("its shape is made into a distance grid there");
         return false;
     }
     if (!gpu_) gpu_ = std::make_unique<GpuPicture>(*gpu.renderer);

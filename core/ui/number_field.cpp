@@ -5,19 +5,10 @@
 #include <cmath>
 
 #include "ui/help.h"
+#include "ui/shown_number.h"
 
 namespace versorium {
 namespace {
-
-bool exactField(const char* label, double& value, double step, const char* format) {
-    double typed = value;
-    if (!ImGui::DragScalar(label, ImGuiDataType_Double, &typed, static_cast<float>(step), nullptr,
-                           nullptr, format) ||
-        !std::isfinite(typed) || typed == value)
-        return false;
-    value = typed;
-    return true;
-}
 
 void toggleAnimation(StudioContext& context, const std::string& name, double low, double high) {
     StudioContext::Animation& animation = context.animation;
@@ -27,39 +18,39 @@ void toggleAnimation(StudioContext& context, const std::string& name, double low
         context.animate(name, low, high);
 }
 
-void drawMenu(StudioContext& context, const std::string& name, double& value,
-              const NumberLook& look, std::array<double, 2> range) {
-    ImGui::TextDisabled("%s", name.c_str());
+void drawMenu(StudioContext& context, const std::string& name, const std::string& title,
+              double& value, const NumberLook& look, std::array<double, 2> range) {
+    ImGui::TextDisabled("%s", title.c_str());
     ImGui::PushItemWidth(ImGui::GetFontSize() * 9);
     const double step = look.whole ? 1 : (range[1] - range[0]) / 4000;
-    exactField("exact value", value, step, look.whole ? "%.0f" : "%.15g");
+    dragNumber(tr("exact value"), value, step, look.whole ? "%.0f" : "%.15g");
     explain("exact value");
     std::array<double, 2> next = range;
-    bool moved = exactField("range low", next[0], step, "%.6g");
+    bool moved = dragNumber(tr("range low"), next[0], step, "%.6g");
     explain("range low");
-    moved |= exactField("range high", next[1], step, "%.6g");
+    moved |= dragNumber(tr("range high"), next[1], step, "%.6g");
     explain("range high");
     if (moved && next[0] < next[1] && (!look.logarithmic || next[0] > 0)) {
         context.workspace.ranges[name] = next;
         context.touch();
     }
-    if (ImGui::Button("Usual range")) {
+    if (ImGui::Button(tr("Usual range"))) {
         context.workspace.ranges.erase(name);
         context.touch();
     }
     explain("range reset");
     if (look.home) {
         ImGui::SameLine();
-        if (ImGui::Button("Reset")) value = *look.home;
+        if (ImGui::Button(tr("Reset"))) value = *look.home;
         explain("reset");
     }
     if (look.animated) {
         // Any two numbers of a map are the axes of a set, two clicks away.
         ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted("axis of a set:");
+        ImGui::TextUnformatted(tr("axis of a set:"));
         for (std::size_t axis = 0; axis < 2; ++axis) {
             ImGui::SameLine();
-            if (ImGui::Button(axis == 0 ? "→ across" : "↑ up")) {
+            if (ImGui::Button(axis == 0 ? tr("→ across") : tr("↑ up"))) {
                 makeAxis(context.workspace, axis, name);
                 context.studies.newestAxis = static_cast<int>(axis);
                 context.touch();
@@ -67,14 +58,14 @@ void drawMenu(StudioContext& context, const std::string& name, double& value,
             explain("make axis");
         }
         const bool runs = context.animation.running && context.animation.number == name;
-        if (ImGui::Button(runs ? "Stop" : "Animate"))
+        if (ImGui::Button(runs ? tr("Stop") : tr("Animate")))
             toggleAnimation(context, name, range[0], range[1]);
         explain("animate");
         double seconds = context.animation.seconds;
-        if (exactField("seconds", seconds, 0.05, "%.3g") && seconds >= 0.5 && seconds <= 3600)
+        if (dragNumber(tr("seconds"), seconds, 0.05, "%.3g") && seconds >= 0.5 && seconds <= 3600)
             context.animation.seconds = seconds;
         explain("seconds");
-        ImGui::Checkbox("to and fro", &context.animation.toAndFro);
+        ImGui::Checkbox(tr("to and fro"), &context.animation.toAndFro);
         explain("to and fro");
     }
     ImGui::PopItemWidth();
@@ -87,13 +78,13 @@ std::array<double, 2> rangeOf(const StudioContext& context, const std::string& n
                                                  : std::array<double, 2>{look.low, look.high};
 }
 
-bool menuButton(StudioContext& context, const std::string& name, double& value,
-                const NumberLook& look, float width) {
+bool menuButton(StudioContext& context, const std::string& name, const std::string& title,
+                double& value, const NumberLook& look, float width) {
     const double before = value;
     if (ImGui::Button("…", {width, 0})) ImGui::OpenPopup("menu");
     explain("number menu");
     if (ImGui::BeginPopup("menu")) {
-        drawMenu(context, name, value, look, rangeOf(context, name, look));
+        drawMenu(context, name, title, value, look, rangeOf(context, name, look));
         ImGui::EndPopup();
     }
     return value != before;
@@ -111,27 +102,32 @@ bool numberCell(StudioContext& context, const std::string& name, double& value,
     // What is 0 steps back, so that the formula stands out.
     if (value == 0) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(ImGuiCol_TextDisabled));
     const bool zero = value == 0;
-    exactField("##box", value, (range[1] - range[0]) / 4000, "%.4g");
+    dragNumber("##box", value, (range[1] - range[0]) / 4000, "%.4g");
     if (zero) ImGui::PopStyleColor();
     explainBy(look.help);
     ImGui::SameLine(0, 2);
-    menuButton(context, name, value, look, button);
+    menuButton(context, name, name, value, look, button);
     ImGui::PopID();
     return value != before;
 }
 
 bool numberField(StudioContext& context, const std::string& name, const std::string& label,
                  double& value, const NumberLook& look) {
+    const Access access = accessOf(context, name);
+    if (access == Access::hidden) return false;
     const double before = value;
     const std::array<double, 2> range = rangeOf(context, name, look);
     const float letter = ImGui::GetFontSize(), gap = 4 * context.scale;
     const float box = letter * 5.2f, button = letter * 1.5f;
     const float buttons = (look.animated ? 2 : 1) * (button + gap);
     ImGui::PushID(name.c_str());
+    ImGui::BeginDisabled(access == Access::locked);
     const float left = ImGui::GetCursorPosX();
     const float right = left + ImGui::GetContentRegionAvail().x;
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(label.c_str());
+    // Names of parameters stay as formulas have them.
+    const std::string shown = look.animated ? label : tr(std::string_view(label));
+    ImGui::TextUnformatted(shown.c_str());
     explainBy(look.help);
     const char* format = look.whole ? "%.0f" : "%.6g";
     if (look.slider) {
@@ -149,7 +145,7 @@ bool numberField(StudioContext& context, const std::string& name, const std::str
     ImGui::SameLine();
     ImGui::SetCursorPosX(right - buttons - box);
     ImGui::SetNextItemWidth(box);
-    exactField("##box", value,
+    dragNumber("##box", value,
                look.whole ? std::max(0.5, std::abs(value) / 200) : (range[1] - range[0]) / 4000,
                format);
     explainBy(look.help);
@@ -162,7 +158,8 @@ bool numberField(StudioContext& context, const std::string& name, const std::str
     }
     ImGui::SameLine(0, gap);
     ImGui::SetCursorPosX(right - button);
-    menuButton(context, name, value, look, button);
+    menuButton(context, name, look.animated ? name : shown, value, look, button);
+    ImGui::EndDisabled();
     ImGui::PopID();
     if (look.whole) value = std::round(value);
     return value != before;

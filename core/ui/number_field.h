@@ -21,7 +21,8 @@ struct NumberLook {
     bool logarithmic = false;  // the slider; needs low > 0
 };
 
-// The label stands on the left. `name` is the key of its range. True when the value changed; it is
+// The label, in English or in the language already, stands on the left. `name` is the key of its
+// range. True when the value changed; it is
 // always finite, but may lie beyond the range.
 bool numberField(StudioContext& context, const std::string& name, const std::string& label,
                  double& value, const NumberLook& look);

@@ -5,11 +5,10 @@
 #include "ui/context.h"
 #include "ui/help.h"
 #include "ui/open_file.h"
+#include "ui/panel_parts.h"
 
 namespace versorium {
 namespace {
-
-constexpr const char* kTitle = "Open a file";
 
 void enter(StudioContext& context, const std::string& path) {
     FileList& list = context.files;
@@ -56,12 +55,14 @@ void StudioContext::chooseFile() {
 }
 
 void drawOpenFile(StudioContext& context) {
-    if (context.fileOpen && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+    const std::string window = named("Open a file");
+    if (context.fileOpen && !ImGui::IsPopupOpen(window.c_str())) ImGui::OpenPopup(window.c_str());
     const ImGuiViewport& screen = *ImGui::GetMainViewport();
     ImGui::SetNextWindowPos(screen.GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize(
         {std::min(620.0f * context.scale, screen.Size.x * 0.96f), screen.Size.y * 0.76f});
-    if (!ImGui::BeginPopupModal(kTitle, &context.fileOpen, ImGuiWindowFlags_NoResize)) return;
+    if (!ImGui::BeginPopupModal(window.c_str(), &context.fileOpen, ImGuiWindowFlags_NoResize))
+        return;
     FileList& list = context.files;
     bool done = false;
     char typed[1024] = {};
@@ -75,7 +76,7 @@ void drawOpenFile(StudioContext& context) {
     if (entered) done = takeTyped(context);
     if (!list.problem.empty()) {
         ImGui::PushTextWrapPos();
-        ImGui::TextUnformatted(list.problem.c_str());
+        ImGui::TextUnformatted(trMessage(list.problem).c_str());
         ImGui::PopTextWrapPos();
     }
     const int before = list.chosen;
@@ -96,10 +97,10 @@ void drawOpenFile(StudioContext& context) {
         if (k == list.chosen && !typing && !entered && ImGui::IsKeyPressed(ImGuiKey_Enter, false))
             taken = entry;
     }
-    if (count == 0) ImGui::TextDisabled("No file here opens in the studio.");
+    if (count == 0) ImGui::TextDisabled("%s", tr("No file here opens in the studio."));
     ImGui::EndChild();
     if (taken) done = take(context, *taken);
-    const bool closed = ImGui::Button("Close");
+    const bool closed = ImGui::Button(tr("Close"));
     explain("close");
     if (done || closed || (!typing && ImGui::IsKeyPressed(ImGuiKey_Escape))) {
         context.fileOpen = false;

@@ -19,6 +19,7 @@ constexpr std::string_view kMeshes[] = {".obj", ".ply", ".stl"};
 constexpr std::string_view kGrids[] = {".f3d", ".field2d", ".grid"};
 constexpr std::string_view kImages[] = {".png", ".jpg", ".jpeg", ".bmp"};
 constexpr std::string_view kOthers[] = {".json", ".p4d"};
+constexpr std::string_view kLessons[] = {".md"};
 
 template <class Endings>
 bool endsWith(const std::string& name, const Endings& endings) {
@@ -38,7 +39,7 @@ Status takeMotion(StudioContext& context, const std::string& name, const Documen
     Expected<Movie> movie = movieFromDocument(document);
     if (!movie) return movie.status();
     context.openMotion(std::move(movie->animation));
-    context.say("Opened " + name + ": press Shift R to play it");
+    context.say(tr("Opened {1}: press Shift R to play it", {name}));
     return {};
 }
 
@@ -51,7 +52,7 @@ Status openDocument(StudioContext& context, const std::string& name, const Docum
     Expected<Scene> scene = sceneWithAssets(document.body, document.assets);
     if (!scene) return scene.status();
     context.open(workspaceOf(*scene));
-    context.say("Opened " + name);
+    context.say(tr("Opened {1}", {name}));
     return {};
 }
 
@@ -63,7 +64,7 @@ Status takePalette(StudioContext& context, const std::string& name, const Json& 
     colour.ownPalette = paletteToJson(*palette);
     if (colour.rule != "phase" && colour.rule != "domain") colour.rule = "palette";
     context.touch();
-    context.say(name + " is the palette of the marked view");
+    context.say(tr("{1} is the palette of the marked view", {name}));
     return {};
 }
 
@@ -76,7 +77,7 @@ Status takeRoots(StudioContext& context, const std::string& name, const RootList
     const std::string list(info.lists[0]);
     for (Scene& scene : context.workspace.views) scene.lists[list] = roots;
     context.touch();
-    context.say(name + ": " + std::to_string(roots.roots.size()) + " roots");
+    context.say(tr("{1}: {2} roots", {name, std::to_string(roots.roots.size())}));
     return {};
 }
 
@@ -136,9 +137,9 @@ Status takeShape(StudioContext& context, const std::string& name,
     }
     context.open(std::move(next));
     const MapInfo& info = mapOf(context.workspace.view()).info;
-    context.say(fits ? name + " is the shape of this scene now"
-                     : name + " is the shape of " + std::string(info.title) + " now: " + before +
-                           " takes none");
+    context.say(fits ? tr("{1} is the shape of this scene now", {name})
+                     : tr("{1} is the shape of {2} now: {3} takes none",
+                          {name, tr(info.title), tr(std::string_view(before))}));
     return {};
 }
 
@@ -177,14 +178,14 @@ Status takeLayer(StudioContext& context, const std::string& name,
             });
         layer.sources.insert(after, source);
         context.touch();
-        context.say(name + " is one of " + std::to_string(layer.sources.size()) + " frames");
+        context.say(tr("{1} is one of {2} frames", {name, std::to_string(layer.sources.size())}));
         return {};
     }
     if (scene.layers.size() >= kMostLayers)
         return Status::usage("there are " + std::to_string(kMostLayers) + " images already");
     scene.layers.push_back({.sources = {source}});
     context.touch();
-    context.say(name + " lies behind the fractal");
+    context.say(tr("{1} lies behind the fractal", {name}));
     return {};
 }
 
@@ -218,7 +219,9 @@ Status openAny(StudioContext& context, const std::string& name,
         const Expected<RootList> roots = readRootsBinary(bytes);
         return roots ? takeRoots(context, name, *roots) : roots.status();
     }
-    return openJson(context, name, std::string(bytes.begin(), bytes.end()));
+    const std::string text(bytes.begin(), bytes.end());
+    if (endsWith(name, kLessons)) return openLessonFile(context, name, text);
+    return openJson(context, name, text);
 }
 
 }  // namespace
@@ -238,21 +241,23 @@ Status openPlate(StudioContext& context, const std::string& name, const PlateDoc
     if (first->kind == PanelKind::diagram) {
         const DiagramPlot& plot = first->diagram;
         workspace.diagram = {plot.parameter, plot.from, plot.to};
-        context.strip = StudioContext::Strip::diagram;
+        workspace.strip = Workspace::Strip::diagram;
     }
     context.open(std::move(workspace));
-    context.say("Opened panel " + first->name + " of the plate " + name);
+    context.say(tr("Opened panel {1} of the plate {2}", {first->name, name}));
     return {};
 }
 
 bool mayOpen(const std::string& name) {
     return endsWith(name, kMeshes) || endsWith(name, kGrids) || endsWith(name, kImages) ||
-           endsWith(name, kOthers);
+           endsWith(name, kOthers) || endsWith(name, kLessons);
 }
 
 Status openBytes(StudioContext& context, const std::string& path,
                  std::span<const unsigned char> bytes) {
     const std::string name = fileName(path);
+    if (isRestricted(context))
+        return Status::usage("the link that opened this page lets no files in");
     return openAny(context, name, bytes).in(name);
 }
 
@@ -268,6 +273,8 @@ Status openText(StudioContext& context, const std::string& given) {
     auto last = std::find_if_not(given.rbegin(), std::make_reverse_iterator(first), blank).base();
     const std::string text(first, last);
     if (text.empty()) return Status::usage("there is nothing on the clipboard to open");
+    if (isRestricted(context))
+        return Status::usage("the link that opened this page lets nothing else in");
     const std::size_t link = text.starts_with("v1:") ? 0 : text.find("#v1:");
     if (link != std::string::npos) {
         Expected<Workspace> workspace = workspaceFromLink(text.substr(link ? link + 1 : 0));
@@ -276,7 +283,16 @@ Status openText(StudioContext& context, const std::string& given) {
         context.say("Opened the link");
         return {};
     }
-    if (text[0] == '{') return openJson(context, "the clipboard", text).in("the clipboard");
+    if (const std::size_t hash = text.find('#');
+        hash != std::string::npos && isTeacherLink(text.substr(hash + 1))) {
+        const Expected<TeacherLink> read = parseTeacherLink(text.substr(hash + 1));
+        return read ? followTeacherLink(context, *read) : read.status();
+    }
+    if (text.starts_with("---\n")) return openLessonFile(context, "pasted.en.md", text);
+    if (text[0] == '{') {
+        const std::string where = tr("the clipboard");
+        return openJson(context, where, text).in(where);
+    }
     if (text.starts_with("file://")) return openFile(context, text.substr(7));
     if (text[0] == '/' && text.find('\n') == std::string::npos) return openFile(context, text);
     if (looksLikeFormula(text) && FormulaMap::make(text)) {

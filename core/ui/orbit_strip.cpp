@@ -43,9 +43,9 @@ bool step(const char* label, const char* control) {
 
 void drawTabs(StudioContext& context, bool hasWeb) {
     const auto tab = [&](const char* name, StudioContext::Strip strip) {
-        const bool now = context.strip == strip;
+        const bool now = context.workspace.strip == strip;
         if (now) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_HeaderActive));
-        if (ImGui::SmallButton(name)) context.strip = strip;
+        if (ImGui::SmallButton(tr(name))) context.show(strip);
         if (now) ImGui::PopStyleColor();
         explain(name);
         ImGui::SameLine(0, 4);
@@ -60,7 +60,7 @@ void drawTabs(StudioContext& context, bool hasWeb) {
 
 void drawHead(StudioContext& context, const MapInfo& info) {
     Workspace& workspace = context.workspace;
-    ImGui::Text("Orbit of %s", std::string(stateName(info.algebra)).c_str());
+    ImGui::TextUnformatted(tr("Orbit of {1}", {std::string(stateName(info.algebra))}).c_str());
     ImGui::SameLine();
     if (step("|←", "orbit first")) context.stepOrbit(-workspace.orbitAt);
     ImGui::PushButtonRepeat(true);
@@ -69,7 +69,7 @@ void drawHead(StudioContext& context, const MapInfo& info) {
     ImGui::PopButtonRepeat();
     if (step("→|", "orbit last")) context.stepOrbit(workspace.orbitSteps - workspace.orbitAt);
     ImGui::SameLine(0, 8);
-    ImGui::Text("n = %d of", workspace.orbitAt);
+    ImGui::TextUnformatted(tr("n = {1} of", {std::to_string(workspace.orbitAt)}).c_str());
     ImGui::SameLine(0, 6);
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 3.6f);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(4, 0));
@@ -82,7 +82,7 @@ void drawHead(StudioContext& context, const MapInfo& info) {
     explain("orbit steps");
     ImGui::SameLine();
     const auto& orbit = context.orbit();
-    if (ImGui::SmallButton("Copy table")) {
+    if (ImGui::SmallButton(tr("Copy table"))) {
         context.host.setClipboard(tableText(info, orbit));
         context.say("The orbit's table is on the clipboard");
     }
@@ -90,9 +90,10 @@ void drawHead(StudioContext& context, const MapInfo& info) {
     ImGui::SameLine();
     const bool escaped = static_cast<int>(orbit.size()) <= workspace.orbitSteps;
     if (escaped)
-        ImGui::TextDisabled("escapes at step %d", static_cast<int>(orbit.size()) - 1);
+        ImGui::TextDisabled("%s",
+                            tr("escapes at step {1}", {std::to_string(orbit.size() - 1)}).c_str());
     else
-        ImGui::TextDisabled("none escaped");
+        ImGui::TextDisabled("%s", tr("none escaped"));
 }
 
 void drawTable(StudioContext& context, const MapInfo& info, float width) {
@@ -102,7 +103,7 @@ void drawTable(StudioContext& context, const MapInfo& info, float width) {
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableSetupColumn("n", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize() * 2.2f);
     for (int k = 0; k < dimension; ++k) ImGui::TableSetupColumn(stateComponent(info, k).c_str());
-    ImGui::TableSetupColumn(dimension == 1 ? "|x|" : "norm");
+    ImGui::TableSetupColumn(dimension == 1 ? "|x|" : tr("norm"));
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     for (int k = 0; k < dimension + 2; ++k) {
         ImGui::TableSetColumnIndex(k);
@@ -130,10 +131,10 @@ void drawTable(StudioContext& context, const MapInfo& info, float width) {
             }
             for (double value : row) {
                 ImGui::TableNextColumn();
-                ImGui::TextUnformatted(formatNumber(value, 5).c_str());
+                ImGui::TextUnformatted(shownNumber(value, 5).c_str());
             }
             ImGui::TableNextColumn();
-            ImGui::TextUnformatted(formatNumber(normOf(row), 5).c_str());
+            ImGui::TextUnformatted(shownNumber(normOf(row), 5).c_str());
         }
     ImGui::EndTable();
 }
@@ -206,7 +207,8 @@ void drawSeries(StudioContext& context, const MapInfo& info, ImVec2 low, ImVec2 
         drawText(list, at, componentColour(k), name);
         at.x += ImGui::CalcTextSize(name.c_str()).x + ImGui::GetFontSize();
     }
-    if (!second.empty()) drawText(list, at, ImGui::GetColorU32(ImGuiCol_Text), "dashed: second");
+    if (!second.empty())
+        drawText(list, at, ImGui::GetColorU32(ImGuiCol_Text), tr("dashed: second"));
 }
 
 void drawWeb(StudioContext& context, const OrbitProgram& program, double second, ImVec2 low,
@@ -274,9 +276,9 @@ void drawWeb(StudioContext& context, const OrbitProgram& program, double second,
     }
     const std::string name = stateComponent(info, 0);
     drawText(list, {low.x + 8, low.y + 4}, componentColour(0),
-             "f(" + name + ")" +
-                 (program.map->dimension > 1 ? " on the real line, from x_0 = " : ", x_0 = ") +
-                 formatNumber(workspace.point[0], 5));
+             tr(program.map->dimension > 1 ? trLater("f({1}) on the real line, from x_0 = {2}")
+                                           : trLater("f({1}), x_0 = {2}"),
+                {name, shownNumber(workspace.point[0], 5)}));
 }
 
 }  // namespace
@@ -285,29 +287,30 @@ void drawOrbitStrip(StudioContext& context) {
     const OrbitProgram* program = context.orbitProgram();
     const Scene scene = orbitScene(context.workspace);
     const MapInfo& info = mapOf(scene).info;
-    if (!program || context.strip == StudioContext::Strip::motion) drawTabs(context, false);
-    if (context.strip == StudioContext::Strip::motion) return drawTimeline(context);
-    if (program && context.strip == StudioContext::Strip::diagram) {
+    if (!program || context.workspace.strip == StudioContext::Strip::motion)
+        drawTabs(context, false);
+    if (context.workspace.strip == StudioContext::Strip::motion) return drawTimeline(context);
+    if (program && context.workspace.strip == StudioContext::Strip::diagram) {
         const double other = scene.slice.centre.size() > 1 ? scene.slice.centre[1] : 0;
         drawTabs(context, keepsRealLine(*program, program->map->dimension == 1 ? other : 0));
         return drawDiagram(context);
     }
-    if (context.strip == StudioContext::Strip::profile && !info.field)
-        context.strip = StudioContext::Strip::series;
-    if (program && context.strip == StudioContext::Strip::profile) {
+    if (context.workspace.strip == StudioContext::Strip::profile && !info.field)
+        context.workspace.strip = StudioContext::Strip::series;
+    if (program && context.workspace.strip == StudioContext::Strip::profile) {
         drawTabs(context, keepsRealLine(*program, 0));
         return drawProfile(context);
     }
     if (!program) {
-        ImGui::TextDisabled("The shape is being made into a distance grid …");
+        ImGui::TextDisabled("%s", tr("The shape is being made into a distance grid …"));
         return;
     }
     // On a line of numbers the slice's second axis is a parameter, else the imaginary part.
     const double second =
         program->map->dimension == 1 && scene.slice.centre.size() > 1 ? scene.slice.centre[1] : 0;
     const bool hasWeb = keepsRealLine(*program, second);
-    if (!hasWeb && context.strip == StudioContext::Strip::web)
-        context.strip = StudioContext::Strip::series;
+    if (!hasWeb && context.workspace.strip == StudioContext::Strip::web)
+        context.workspace.strip = StudioContext::Strip::series;
     drawTabs(context, hasWeb);
     drawHead(context, info);
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -315,7 +318,7 @@ void drawOrbitStrip(StudioContext& context) {
     if (space.x < 60 || space.y < 30) return;
     const float columns = static_cast<float>(program->map->dimension + 1);
     const float table = std::min(0.45f * space.x, ImGui::GetFontSize() * (3.5f + 5.5f * columns));
-    const bool web = context.strip == StudioContext::Strip::web;
+    const bool web = context.workspace.strip == StudioContext::Strip::web;
     const ImVec2 high{low.x + space.x - table - 10, low.y + space.y};
     ImGui::InvisibleButton("diagram", {high.x - low.x, space.y});
     explain(web ? "web diagram" : "series diagram");

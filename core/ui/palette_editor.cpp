@@ -6,6 +6,8 @@
 #include "ui/context.h"
 #include "ui/help.h"
 #include "ui/palette_stops.h"
+#include "ui/panel_parts.h"
+#include "ui/shown_number.h"
 
 namespace versorium {
 namespace {
@@ -19,8 +21,9 @@ bool colourField(const char* label, Colour& colour, const char* control) {
     const DisplayColour shown = displayFromColour(colour);
     float v[4] = {static_cast<float>(shown.r), static_cast<float>(shown.g),
                   static_cast<float>(shown.b), static_cast<float>(shown.a)};
-    const bool changed = ImGui::ColorEdit4(
-        label, v, ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_AlphaPreviewHalf);
+    const bool changed =
+        ImGui::ColorEdit4(named(label).c_str(), v,
+                          ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_AlphaPreviewHalf);
     explain(control);
     if (changed) colour = colourFromDisplay({v[0], v[1], v[2], v[3]});
     return changed;
@@ -88,22 +91,20 @@ bool drawChosen(StudioContext& context, Palette& palette) {
         ImGui::SameLine();
         double position = palette.stops()[static_cast<std::size_t>(chosen)].position;
         ImGui::SetNextItemWidth(ImGui::GetFontSize() * 4.5f);
-        if (ImGui::DragScalar("##position", ImGuiDataType_Double, &position, 0.002f, nullptr,
-                              nullptr, "%.4g") &&
-            std::isfinite(position)) {
+        if (dragNumber("##position", position, 0.002, "%.4g")) {
             moveStop(palette, chosen, position);
             changed = true;
         }
         explain("stop position");
         ImGui::SameLine();
-        if (ImGui::Button("Delete")) {
+        if (ImGui::Button(tr("Remove"))) {
             changed |= deleteStop(palette, chosen);
             chosen = -1;
         }
         explain("delete stop");
         ImGui::SameLine();
     }
-    if (ImGui::Button("Add")) {
+    if (ImGui::Button(tr("Add"))) {
         std::size_t widest = 1;
         const auto gap = [&](std::size_t k) {
             return palette.stops()[k].position - palette.stops()[k - 1].position;
@@ -141,7 +142,7 @@ void drawPaletteEditor(StudioContext& context) {
                                {corner.x + static_cast<float>(x) + 1, corner.y + tall},
                                screenColour(palette.at(colour.reverse ? 1 - part : part)));
         }
-        const bool pressed = ImGui::Button("Edit its stops");
+        const bool pressed = ImGui::Button(tr("Edit its stops"));
         explain("edit palette");
         if (!pressed && !clicked) return;
         palette = ownPaletteFrom(palette);
@@ -152,7 +153,7 @@ void drawPaletteEditor(StudioContext& context) {
     }
     bool changed = drawStops(context, palette);
     changed |= drawChosen(context, palette);
-    if (ImGui::Button("Turn round")) {
+    if (ImGui::Button(tr("Turn round"))) {
         turnStops(palette);
         changed = true;
     }
@@ -160,7 +161,7 @@ void drawPaletteEditor(StudioContext& context) {
     ImGui::SameLine();
     if (colourField("interior", palette.interior, "interior colour")) changed = true;
     ImGui::SameLine();
-    if (ImGui::Button("Copy")) {
+    if (ImGui::Button(tr("Copy"))) {
         context.host.setClipboard(printJson(paletteToJson(palette)));
         context.say("The palette is on the clipboard, as JSON");
     }

@@ -7,6 +7,11 @@
 
 namespace versorium {
 
+// Texts are given in English and shown in the language of the interface (i18n/language.h).
+
+// An ImGui label in the language, whose id is the English one: for what must stay open, or where it
+// was, when the language changes.
+std::string named(const char* english);
 // The name of a section, with a line below it.
 void heading(const char* text);
 // A heading whose part is closed until it is opened by a click, or by being in use. True while the
@@ -14,8 +19,11 @@ void heading(const char* text);
 bool section(const char* text, bool inUse);
 // A label on the left; what is drawn next takes the rest of the line.
 void labelled(const char* label);
-// A choice of words; true when another one was taken. `empty` stands for the empty word.
+// A choice of words; true when another one was taken. `empty` stands for the empty word. Names,
+// such as those of numbers, are shown as they are.
 bool choose(const char* label, const char* control, std::string& value,
             const std::vector<std::string>& words, const char* empty = "");
+bool chooseName(const char* label, const char* control, std::string& value,
+                const std::vector<std::string>& names, const char* empty = "");
 
 }  // namespace versorium

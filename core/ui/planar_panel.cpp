@@ -6,6 +6,7 @@
 #include "ui/context.h"
 #include "ui/help.h"
 #include "ui/number_field.h"
+#include "ui/panel_parts.h"
 #include "ui/planar_change.h"
 
 namespace versorium {
@@ -85,24 +86,24 @@ void drawText(const StudioContext& context) {
     for (int part = 0; part < 2; ++part)
         ImGui::TextUnformatted(((part == 0 ? "g = " : "h = ") + planarText(numbers, part)).c_str());
     if (const auto polynomial = complexPolynomialOf(numbers))
-        ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "complex: %s",
-                           complexText(*polynomial).c_str());
+        ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "%s",
+                           tr("complex: {1}", {complexText(*polynomial)}).c_str());
     else if (const auto conjugate = complexPolynomialOf(conjugateOf(numbers)))
-        ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "conjugate of %s",
-                           complexText(*conjugate).c_str());
+        ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "%s",
+                           tr("conjugate of {1}", {complexText(*conjugate)}).c_str());
     else
-        ImGui::TextDisabled("not complex: Cauchy-Riemann fails");
+        ImGui::TextDisabled("%s", tr("not complex: Cauchy-Riemann fails"));
     ImGui::PopTextWrapPos();
 }
 
 void drawPresets(StudioContext& context) {
     ImGui::SetNextItemWidth(-1);
     const bool open =
-        ImGui::BeginCombo("##planar presets", "a planar system…", ImGuiComboFlags_HeightLarge);
+        ImGui::BeginCombo("##planar presets", tr("a planar system…"), ImGuiComboFlags_HeightLarge);
     if (!open) explain("planar presets");
     if (!open) return;
     for (const std::string& name : planarPresets()) {
-        if (ImGui::Selectable(name.c_str())) {
+        if (ImGui::Selectable(tr(name.c_str()))) {
             Expected<Scene> scene = presetNamed(name);
             if (scene)
                 context.open(workspaceOf(*scene));
@@ -121,7 +122,7 @@ void drawPlanarPanel(StudioContext& context) {
     if (workspace.views[0].map != "planar") {
         const auto polynomial = polynomialOf(context);
         if (!polynomial) return;
-        if (ImGui::Button("as planar system")) showAsPlanarSystem(context);
+        if (ImGui::Button(tr("as planar system"))) showAsPlanarSystem(context);
         explain("as planar system");
         return;
     }
@@ -129,7 +130,7 @@ void drawPlanarPanel(StudioContext& context) {
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {2, 1});
     if (beginTerms("coefficients")) {
         ImGui::TableNextRow();
-        for (const char* head : {"g(x, y) = sum of", "h(x, y) = sum of"}) {
+        for (const char* head : {tr("g(x, y) = sum of"), tr("h(x, y) = sum of")}) {
             ImGui::TableNextColumn();
             ImGui::TextDisabled("%s", head);
         }
@@ -137,7 +138,7 @@ void drawPlanarPanel(StudioContext& context) {
         ImGui::EndTable();
     }
     const bool open =
-        ImGui::TreeNodeEx("also x³y and xy³",
+        ImGui::TreeNodeEx(named("also x³y and xy³").c_str(),
                           ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
     explain("optional terms");
     if (open && beginTerms("optional")) {
@@ -147,11 +148,11 @@ void drawPlanarPanel(StudioContext& context) {
     ImGui::PopStyleVar();
     drawText(context);
     if (hasComplexForm(context)) {
-        if (ImGui::Button("as complex map")) showAsComplexMap(context);
+        if (ImGui::Button(tr("as complex map"))) showAsComplexMap(context);
         explain("as complex map");
         ImGui::SameLine();
     }
-    if (ImGui::Button("reset")) {
+    if (ImGui::Button(tr("reset"))) {
         for (const ParameterInfo& parameter : mapOf(workspace.views[0]).info.parameters)
             setSharedNumber(workspace, std::string(parameter.name), parameter.value[0]);
         context.touch();

@@ -14,21 +14,22 @@ namespace {
 
 constexpr int kProbeIterations = 20000;
 // What the table says of a point, in its order; a row without a value keeps its place.
-constexpr const char* kRows[] = {"becomes",  "multiplier λ", "|λ|",
-                                 "last |z|", "versor of f",  "to the boundary"};
+constexpr const char* kRows[] = {
+    trLater("becomes"),  trLater("multiplier λ"), "|λ|",
+    trLater("last |z|"), trLater("versor of f"),  trLater("to the boundary")};
 
 // As many digits as neighbouring pixels need to differ.
 std::string coordinate(double value, const Viewport& place) {
     const double size = std::max(std::abs(value), place.pixel());
     const int digits = static_cast<int>(std::ceil(std::log10(size / place.pixel()))) + 1;
-    return formatNumber(value, std::clamp(digits, 3, 17));
+    return shownNumber(value, std::clamp(digits, 3, 17));
 }
 
 std::string complexText(std::complex<double> value) {
     const double tiny = 5e-7 * std::max(1.0, std::abs(value));
-    if (std::abs(value.imag()) < tiny) return formatNumber(value.real(), 5);
-    return formatNumber(std::abs(value.real()) < tiny ? 0 : value.real(), 5) +
-           (value.imag() < 0 ? " − " : " + ") + formatNumber(std::abs(value.imag()), 5) + " i";
+    if (std::abs(value.imag()) < tiny) return shownNumber(value.real(), 5);
+    return shownNumber(std::abs(value.real()) < tiny ? 0 : value.real(), 5) +
+           (value.imag() < 0 ? " − " : " + ") + shownNumber(std::abs(value.imag()), 5) + " i";
 }
 
 // What a shape modulus looks up there: φ, α and β where they differ over space, and r̂.
@@ -43,10 +44,11 @@ void probeShape(const Scene& scene, const OrbitProgram& program, Probe& found) {
     const double beta = number("beta", program.field->beta());
     const bool asPrinted = scene.parameters.at(kAsPrinted)[0] != 0;
     const double exponent = alpha * (phi - (asPrinted ? -beta : beta));
-    found.rows.emplace_back("distance φ", formatNumber(phi, 4));
-    if (program.field->alpha()) found.rows.emplace_back("α here", formatNumber(alpha, 4));
-    if (program.field->beta()) found.rows.emplace_back("β here", formatNumber(beta, 4));
-    found.rows.emplace_back("modulus r̂", formatNumber(exp(std::clamp(exponent, -300.0, 300.0)), 4));
+    found.rows.emplace_back(tr("distance φ"), shownNumber(phi, 4));
+    if (program.field->alpha()) found.rows.emplace_back(tr("α here"), shownNumber(alpha, 4));
+    if (program.field->beta()) found.rows.emplace_back(tr("β here"), shownNumber(beta, 4));
+    found.rows.emplace_back(tr("modulus r̂"),
+                            shownNumber(exp(std::clamp(exponent, -300.0, 300.0)), 4));
 }
 
 }  // namespace
@@ -80,31 +82,34 @@ void probe(StudioContext& context, int view, const ViewPlane& plane, ImVec2 mous
         if (measured[0][0] == 1) {
             const double at[3] = {found.u, found.v, 0};
             const std::optional<Cycle> cycle = cycleOf(program, at);
-            values[0] = cycle ? "cycle of period " + std::to_string(cycle->period)
-                              : "stays for " + std::to_string(program.iterations) + " steps";
-            found.text += cycle ? "   drawn to a " + values[0] : "   " + values[0];
+            const std::string count = std::to_string(cycle ? cycle->period : program.iterations);
+            values[0] =
+                cycle ? tr("cycle of period {1}", {count}) : tr("stays for {1} steps", {count});
+            found.text +=
+                "   " + (cycle ? tr("drawn to a cycle of period {1}", {count}) : values[0]);
             if (cycle) {
                 if (cycle->multiplier) values[1] = complexText(*cycle->multiplier);
-                values[2] = formatNumber(cycle->modulus, 5);
+                values[2] = shownNumber(cycle->modulus, 5);
                 found.text += ", |λ| = " + values[2];
             }
-            values[5] = "inside";
+            values[5] = tr("inside");
         } else {
-            values[0] = "escapes at step " + formatNumber(measured[1][0], 8);
+            values[0] = tr("escapes at step {1}", {shownNumber(measured[1][0], 8)});
             found.text += "   " + values[0];
-            if (measured[4][0] > 0) values[5] = formatNumber(measured[4][0], 3);
+            if (measured[4][0] > 0) values[5] = shownNumber(measured[4][0], 3);
         }
-        values[3] = formatNumber(std::sqrt(measured[2][0]), 5);
+        values[3] = shownNumber(std::sqrt(measured[2][0]), 5);
         found.text += "   |z| = " + values[3];
         for (std::size_t k = 0; k < measured[3].size(); ++k)
-            values[4] += (k ? ", " : "") + formatNumber(measured[3][k], 3);
+            values[4] += (k ? numberSeparator() : "") + shownNumber(measured[3][k], 3);
     }
-    for (std::size_t k = 0; k < std::size(kRows); ++k) found.rows.emplace_back(kRows[k], values[k]);
+    for (std::size_t k = 0; k < std::size(kRows); ++k)
+        found.rows.emplace_back(tr(kRows[k]), values[k]);
     if (bound && bound->field && !showsParameters(scene)) probeShape(scene, *bound, found);
 }
 
 void drawProbe(StudioContext& context) {
-    if (context.probe.rows.empty()) return ImGui::TextDisabled("Point at a view.");
+    if (context.probe.rows.empty()) return ImGui::TextDisabled("%s", tr("Point at a view."));
     if (!ImGui::BeginTable("probe", 2)) return;
     ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed);
     ImGui::TableSetupColumn("value");

@@ -80,7 +80,7 @@ double at(const RadialProfile& profile, const std::vector<double>& values, doubl
     return values[i] + part * (values[i + 1] - values[i]);
 }
 
-std::string number(double value) { return formatNumber(value, 3); }
+std::string number(double value) { return shownNumber(value, 3); }
 
 // Where in the window a radius and a value lie.
 struct Plot {
@@ -159,7 +159,8 @@ const ProfileStudy& studyProfile(StudioContext& context) {
     const OrbitProgram* program = context.orbitProgram();
     if (!program || !program->field) {
         study = {};
-        study.problem = program ? "This map has no shape." : "The shape is being made into a grid.";
+        study.problem = program ? trLater("This map has no shape.")
+                                : trLater("The shape is being made into a grid.");
         return study;
     }
     const Scene& scene = context.workspace.views[context.workspace.speaker()];
@@ -199,39 +200,39 @@ const ProfileStudy& studyProfile(StudioContext& context) {
 
 std::string profileAt(const RadialProfile& profile, double radius) {
     const double modulus = at(profile, profile.modulus, radius);
-    std::string text = "r = " + number(radius) +
-                       ":  mean φ = " + number(at(profile, profile.mean, radius)) + " (" +
-                       number(at(profile, profile.low, radius)) + " to " +
-                       number(at(profile, profile.high, radius)) + "),  r̂ = " + number(modulus);
-    if (radius <= profile.capture) return text + ": stays, whatever the versor is";
-    if (radius > profile.escape) return text + ": leaves, whatever the versor is";
-    return text + (modulus < radius ? " < r: tends to fall" : " ≥ r: tends to rise");
+    const std::string text = tr("r = {1}:  mean φ = {2} ({3} to {4}),  r̂ = {5}",
+                                {number(radius), number(at(profile, profile.mean, radius)),
+                                 number(at(profile, profile.low, radius)),
+                                 number(at(profile, profile.high, radius)), number(modulus)});
+    if (radius <= profile.capture) return text + tr(": stays, whatever the versor is");
+    if (radius > profile.escape) return text + tr(": leaves, whatever the versor is");
+    return text + (modulus < radius ? tr(" < r: tends to fall") : tr(" ≥ r: tends to rise"));
 }
 
 std::string describeProfile(StudioContext& context) {
     const ProfileStudy& study = studyProfile(context);
-    if (!study.profile) return study.problem;
+    if (!study.profile) return trMessage(study.problem);
     const RadialProfile& profile = *study.profile;
-    std::string text = "Radial profile: mean φ is " + number(profile.mean.front()) +
-                       " at the origin and " + number(profile.mean.back()) +
-                       " at r = " + number(profile.radius.back()) + ". ";
-    text += profile.capture > 0 ? "Orbits within " + number(profile.capture) + " stay. "
-                                : "No radius is found within which all orbits stay. ";
-    text += "Orbits beyond " + number(profile.escape) + " leave. ";
+    std::string text = tr(
+        "Radial profile: mean φ is {1} at the origin and {2} at r = {3}.",
+        {number(profile.mean.front()), number(profile.mean.back()), number(profile.radius.back())});
+    text += " " + (profile.capture > 0 ? tr("Orbits within {1} stay.", {number(profile.capture)})
+                                       : tr("No radius is found within which all orbits stay."));
+    text += " " + tr("Orbits beyond {1} leave.", {number(profile.escape)}) + " ";
     std::string places;
     for (double radius : crossings(profile))
-        places += (places.empty() ? "" : ", ") + number(radius);
-    return text + (places.empty() ? "r̂ of the mean does not meet the line r̂ = r."
-                                  : "r̂ of the mean equals r at " + places + ".");
+        places += (places.empty() ? "" : numberSeparator()) + number(radius);
+    return text + (places.empty() ? tr("r̂ of the mean does not meet the line r̂ = r.")
+                                  : tr("r̂ of the mean equals r at {1}.", {places}));
 }
 
 void drawProfile(StudioContext& context) {
     const ProfileStudy& study = studyProfile(context);
-    if (!study.profile) return ImGui::TextDisabled("%s", study.problem.c_str());
+    if (!study.profile) return ImGui::TextDisabled("%s", trMessage(study.problem).c_str());
     const RadialProfile& profile = *study.profile;
     const bool planar = mapOf(context.workspace.views[0]).info.algebra == Algebra::complex;
-    ImGui::TextDisabled(planar ? "Over circles of radius r around the origin"
-                               : "Over spheres of radius r around the origin");
+    ImGui::TextDisabled("%s", planar ? tr("Over circles of radius r around the origin")
+                                     : tr("Over spheres of radius r around the origin"));
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 space = ImGui::GetContentRegionAvail();
     if (space.x < 60 || space.y < 30) return;
@@ -261,13 +262,13 @@ void drawProfile(StudioContext& context) {
     drawCurve(list, plot, profile, profile.modulus, modulus);
     drawCurve(list, plot, profile, profile.mean, mean);
     if (profile.capture > 0)
-        drawSure(list, plot, profile.capture, "stays within " + number(profile.capture), 0);
+        drawSure(list, plot, profile.capture, tr("stays within {1}", {number(profile.capture)}), 0);
     if (profile.escape < to)
-        drawSure(list, plot, profile.escape, "leaves beyond " + number(profile.escape), 1);
+        drawSure(list, plot, profile.escape, tr("leaves beyond {1}", {number(profile.escape)}), 1);
     const float letter = ImGui::GetFontSize(), line = ImGui::GetTextLineHeight() + 2;
     ImVec2 corner{high.x - 13 * letter, high.y - 4.4f * line};
     const std::pair<const char*, ImU32> keys[] = {
-        {"mean φ, least to most", mean}, {"r̂ of the mean", modulus}, {"r̂ = r", diagonal}};
+        {tr("mean φ, least to most"), mean}, {tr("r̂ of the mean"), modulus}, {"r̂ = r", diagonal}};
     for (const auto& [name, colour] : keys) {
         drawKey(list, corner, name, colour);
         corner.y += line;

@@ -93,10 +93,10 @@ std::string labelOf(const Workspace& workspace, const Mark& mark, double pixel) 
         const double part = std::round(root.q[static_cast<std::size_t>(k)] * unit) / unit;
         if (k > 0 && part == 0 && width > 2) continue;
         if (k > 0) text += part < 0 ? " − " : " + ";
-        text += formatNumber(k > 0 ? std::abs(part) : part, 6) + kUnits[k];
+        text += shownNumber(k > 0 ? std::abs(part) : part, 6) + kUnits[k];
     }
-    text += ", power " + formatNumber(root.power, 4);
-    if (mark.off > 0) text += ", " + formatNumber(mark.off, 2) + " beside this plane";
+    text += tr(", power {1}", {shownNumber(root.power, 4)});
+    if (mark.off > 0) text += tr(", {1} beside this plane", {shownNumber(mark.off, 2)});
     return text;
 }
 
@@ -142,7 +142,7 @@ void drawRootMarks(StudioContext& context, int view, const ViewPlane& plane, ImD
         if (few && std::abs(mark.exponent) != 1)
             drawText(list, {mark.at.x + 7 * scale, mark.at.y - 16 * scale},
                      faded(mark.exponent < 0 ? kPole : kZero, part),
-                     formatNumber(std::abs(mark.exponent), 3));
+                     shownNumber(std::abs(mark.exponent), 3));
     }
     if (!told) return;
     const std::string label = labelOf(context.workspace, *told, plane.place.pixel());
@@ -205,16 +205,16 @@ void drawRootMenu(StudioContext& context) {
     }
     ImGui::TextDisabled("%s[%d]", ref.list.c_str(), ref.item);
     double power = rootAt(context.workspace, ref).power;
-    if (numberCell(context, ref.list + " power", power,
+    if (numberCell(context, tr("power"), power,
                    {.help = helpOf("root power"), .low = -4, .high = 8}, 150 * context.scale))
         setPower(context, ref, power);
-    if (ImGui::MenuItem(exponentOf(context.workspace, ref) < 0 ? "Make it a zero"
-                                                               : "Make it a pole")) {
+    if (ImGui::MenuItem(exponentOf(context.workspace, ref) < 0 ? tr("Make it a zero")
+                                                               : tr("Make it a pole"))) {
         const Expected<RootRef> turned = turnRoot(context.workspace, ref);
         if (turned) context.versor.chosen = *turned, context.touch();
         context.report(turned ? Status() : turned.status());
     }
-    if (ImGui::MenuItem("Take it away", "Delete")) removeChosenRoot(context);
+    if (ImGui::MenuItem(tr("Take it away"), tr("Delete"))) removeChosenRoot(context);
     ImGui::EndPopup();
 }
 

@@ -8,8 +8,10 @@
 #include "ui/context.h"
 #include "ui/help.h"
 #include "ui/number_field.h"
+#include "ui/panel_parts.h"
 #include "ui/root_marks.h"
 #include "ui/roots_panel.h"
+#include "ui/shown_number.h"
 
 namespace versorium {
 namespace {
@@ -17,10 +19,10 @@ namespace {
 // Two words of which one holds; true when the other one was taken.
 bool either(const char* first, const char* second, bool& isSecond, const char* control) {
     bool changed = false;
-    if (ImGui::RadioButton(first, !isSecond)) changed = isSecond, isSecond = false;
+    if (ImGui::RadioButton(tr(first), !isSecond)) changed = isSecond, isSecond = false;
     explain(control);
     ImGui::SameLine();
-    if (ImGui::RadioButton(second, isSecond)) changed = !isSecond, isSecond = true;
+    if (ImGui::RadioButton(tr(second), isSecond)) changed = !isSecond, isSecond = true;
     explain(control);
     return changed;
 }
@@ -38,7 +40,7 @@ void drawChosen(StudioContext& context) {
     Workspace& workspace = context.workspace;
     const RootRef ref = context.versor.chosen;
     if (!isRoot(workspace, ref)) {
-        ImGui::TextDisabled("Click a root in a view to see its numbers.");
+        ImGui::TextDisabled("%s", tr("Click a root in a view to see its numbers."));
         return;
     }
     RootList::Root root = rootAt(workspace, ref);
@@ -62,7 +64,7 @@ void drawChosen(StudioContext& context) {
         setRoot(workspace, ref, root);
         context.touch();
     }
-    if (ImGui::SmallButton("take away")) removeChosenRoot(context);
+    if (ImGui::SmallButton(tr("take away"))) removeChosenRoot(context);
     explain("remove root");
 }
 
@@ -72,7 +74,7 @@ bool wholeField(const char* id, const char* control, int& value, int low, int hi
     ImGui::SetNextItemWidth(width);
     int typed = value;
     const bool changed =
-        ImGui::DragInt(id, &typed, 0.1f, low, high, format, ImGuiSliderFlags_AlwaysClamp);
+        ImGui::DragInt(id, &typed, 0.1f, low, high, tr(format), ImGuiSliderFlags_AlwaysClamp);
     explain(control);
     if (!changed || typed == value) return false;
     value = std::clamp(typed, low, high);
@@ -81,13 +83,9 @@ bool wholeField(const char* id, const char* control, int& value, int low, int hi
 bool realField(const char* id, const char* control, double& value, double low, double high,
                const char* format, float width) {
     ImGui::SetNextItemWidth(width);
-    double typed = value;
-    const bool changed = ImGui::DragScalar(id, ImGuiDataType_Double, &typed, 0.02f, &low, &high,
-                                           format, ImGuiSliderFlags_AlwaysClamp);
+    const bool changed = dragNumber(id, value, 0.02, tr(format), low, high);
     explain(control);
-    if (!changed || !std::isfinite(typed)) return false;
-    value = typed;
-    return true;
+    return changed;
 }
 
 void drawRandom(StudioContext& context) {
@@ -103,7 +101,7 @@ void drawRandom(StudioContext& context) {
     options.highPower = std::max(options.highPower, options.lowPower);
     bool real = !options.wholePowers;
     if (either("whole", "real powers", real, "whole powers")) options.wholePowers = !real;
-    const char* words[] = {"even", "clustered", "spread"};
+    const char* words[] = {tr("even"), tr("clustered"), tr("spread")};
     int arrangement = static_cast<int>(options.arrangement);
     ImGui::SetNextItemWidth(half);
     const bool open = ImGui::BeginCombo("##arrangement", words[arrangement]);
@@ -125,12 +123,12 @@ void drawRandom(StudioContext& context) {
     int& seed = context.versor.draw.seed;
     wholeField("##seed", "seed", seed, 0, 2147483647, "seed %d", half);
     ImGui::SameLine();
-    if (ImGui::Button("Draw")) drawRoots(context, seed);
+    if (ImGui::Button(tr("Draw"))) drawRoots(context, seed);
     explain("draw roots");
     ImGui::SameLine();
-    if (ImGui::Button("Next")) drawRoots(context, seed == 2147483647 ? 0 : seed + 1);
+    if (ImGui::Button(tr("Next"))) drawRoots(context, seed == 2147483647 ? 0 : seed + 1);
     explain("next seed");
-    if (ImGui::Button("Candidates…", {-1, 0})) openContactSheet(context, seed);
+    if (ImGui::Button(tr("Candidates…"), {-1, 0})) openContactSheet(context, seed);
     explain("contact sheet");
 }
 
@@ -141,13 +139,14 @@ void drawVersorPanel(StudioContext& context) {
     if (!hasRoots(workspace)) return;
     ImGui::PushID("versor");
     drawSwitch(context);
-    if (ImGui::Checkbox("show roots", &workspace.showRoots)) context.touch();
+    if (ImGui::Checkbox(tr("show roots"), &workspace.showRoots)) context.touch();
     explain("show roots");
     ImGui::SameLine();
-    if (ImGui::SmallButton("add a root")) addRootAtPoint(context);
+    if (ImGui::SmallButton(tr("add a root"))) addRootAtPoint(context);
     explain("add root");
     drawChosen(context);
-    const bool open = ImGui::TreeNodeEx("roots at random", ImGuiTreeNodeFlags_SpanAvailWidth);
+    const bool open =
+        ImGui::TreeNodeEx(named("roots at random").c_str(), ImGuiTreeNodeFlags_SpanAvailWidth);
     explain("random roots");
     if (open) {
         drawRandom(context);
@@ -160,10 +159,10 @@ void drawCircleControls(StudioContext& context) {
     Workspace& workspace = context.workspace;
     if (!takesCircles(workspace)) return;
     ImGui::PushID("circles");
-    if (ImGui::Checkbox("show basins", &workspace.basins)) context.touch();
+    if (ImGui::Checkbox(tr("show basins"), &workspace.basins)) context.touch();
     explain("show basins");
     ImGui::SameLine();
-    if (ImGui::SmallButton("drop a circle")) dropCircle(context);
+    if (ImGui::SmallButton(tr("drop a circle"))) dropCircle(context);
     explain("drop circle");
     const int view = circleViewOf(workspace);
     const std::vector<CircleStudy> all = view >= 0 && !workspace.circles.empty()
@@ -179,7 +178,7 @@ void drawCircleControls(StudioContext& context) {
             workspace.circles[k].radius = radius;
             context.touch();
         }
-        if (ImGui::SmallButton("take away")) removed = static_cast<int>(k);
+        if (ImGui::SmallButton(tr("take away"))) removed = static_cast<int>(k);
         explain("remove circle");
         if (k < all.size()) {
             ImGui::PushTextWrapPos();
@@ -192,9 +191,9 @@ void drawCircleControls(StudioContext& context) {
     if (workspace.basins) {
         const Basins basins = studyBasins(context);
         const std::string text = basins.capture > 0
-                                     ? "Within |x| ≤ " + formatNumber(basins.capture, 3) +
-                                           " every orbit stays, whatever d is."
-                                     : "No ball around 0 is proved to keep its orbits.";
+                                     ? tr("Within |x| ≤ {1} every orbit stays, whatever d is.",
+                                          {shownNumber(basins.capture, 3)})
+                                     : tr("No ball around 0 is proved to keep its orbits.");
         ImGui::PushTextWrapPos();
         ImGui::TextDisabled("%s", text.c_str());
         ImGui::PopTextWrapPos();

@@ -101,20 +101,20 @@ Status setDrawnShape(StudioContext& context, const std::string& source) {
 
 const std::vector<ShapeChoice>& shapeChoices() {
     static const std::vector<ShapeChoice> choices = {
-        {"disc", "disc(0.6)"},
-        {"star", "star(5, 0.9, 0.45)"},
-        {"heart", "heart(1.3)"},
-        {"crescent", "rotate(2.4, translate(0.25, 0, crescent(0.8, 0.65, 0.4)))"},
-        {"square", "box(0.6, 0.6)"},
-        {"bar", "box(0.9, 0.25)"},
-        {"two discs",
+        {trLater("disc"), "disc(0.6)"},
+        {trLater("star"), "star(5, 0.9, 0.45)"},
+        {trLater("heart"), "heart(1.3)"},
+        {trLater("crescent"), "rotate(2.4, translate(0.25, 0, crescent(0.8, 0.65, 0.4)))"},
+        {trLater("square"), "box(0.6, 0.6)"},
+        {trLater("bar"), "box(0.9, 0.25)"},
+        {trLater("two discs"),
          "smooth_union(0.2, translate(-0.4, 0, disc(0.5)), translate(0.5, 0, "
          "disc(0.35)))"},
-        {"sphere", "sphere(0.35)"},
-        {"torus", "torus(0.3, 0.13)"},
-        {"capsule", "capsule(0.25, 0.15)"},
-        {"cube", "box(0.3, 0.3, 0.3)"},
-        {"bunny", "bunny"}};
+        {trLater("sphere"), "sphere(0.35)"},
+        {trLater("torus"), "torus(0.3, 0.13)"},
+        {trLater("capsule"), "capsule(0.25, 0.15)"},
+        {trLater("cube"), "box(0.3, 0.3, 0.3)"},
+        {trLater("bunny"), "bunny"}};
     return choices;
 }
 
@@ -167,9 +167,9 @@ void showModulusAndVersor(StudioContext& context) {
     workspace.views[3].colour.outline = "none";
     workspace.maximised = false;
     context.touch();
-    context.say(std::string("r = |f|, ") + (complex ? "f by argument and modulus" : "versor d") +
-                ", log |f_n| and the members; outlined: " +
-                (info.field ? "log |f_n| < " + formatNumber(scene.iso, 4) : "the members"));
+    context.say(tr("r = |f|, {1}, log |f_n| and the members; outlined: {2}",
+                   {complex ? tr("f by argument and modulus") : tr("versor d"),
+                    info.field ? "log |f_n| < " + shownNumber(scene.iso, 4) : tr("the members")}));
 }
 
 void showAsPrinted(StudioContext& context) {

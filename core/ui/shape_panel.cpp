@@ -21,7 +21,7 @@ bool toolButton(StudioContext& context, const char* label, const char* control,
                 Drawing::Tool tool) {
     const bool held = context.drawing.tool == tool;
     if (held) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_HeaderActive));
-    const bool pressed = ImGui::Button(label);
+    const bool pressed = ImGui::Button(tr(label));
     if (held) ImGui::PopStyleColor();
     explain(control);
     if (pressed) chooseTool(context, tool);
@@ -50,7 +50,7 @@ std::string chosenShape(const char* id, const char* control, const std::string& 
     if (!open) explain(control);
     if (!open) return chosen;
     for (const ShapeChoice& choice : shapeChoices()) {
-        if (ImGui::Selectable(choice.name)) chosen = choice.source;
+        if (ImGui::Selectable(tr(choice.name))) chosen = choice.source;
         explainBy(choice.source);
     }
     ImGui::EndCombo();
@@ -62,7 +62,7 @@ void shapeControls(StudioContext& context) {
     if (toolButton(context, "Draw", "draw shape", Drawing::Tool::outline)) return;
     ImGui::SameLine();
     const std::string chosen =
-        chosenShape("##shape", "shape choice", shapeName(scene, scene.shape.source));
+        chosenShape("##shape", "shape choice", trMessage(shapeName(scene, scene.shape.source)));
     if (!chosen.empty()) return context.report(setShape(context, chosen));
     ShapeText& typed = context.shapeText;
     const std::string source = scene.shape.source.starts_with("asset:") ? "" : scene.shape.source;
@@ -73,7 +73,7 @@ void shapeControls(StudioContext& context) {
     }
     const OrbitProgram* program = context.program(context.workspace.focused);
     if (!program || !program->field) {
-        ImGui::TextDisabled("Its distances are being measured …");
+        ImGui::TextDisabled("%s", tr("Its distances are being measured …"));
         return;
     }
     const double zero[3] = {};
@@ -84,13 +84,14 @@ void shapeControls(StudioContext& context) {
     }
     if (phi > 0) {
         ImGui::PushTextWrapPos();
-        ImGui::TextDisabled(
-            "The origin lies outside of the shape (φ = %s): nothing draws orbits to 0, and the set "
-            "may be empty. Move it by shift.",
-            formatNumber(phi, 3).c_str());
+        const std::string warning =
+            tr("The origin lies outside of the shape (φ = {1}): nothing draws orbits to 0, and the "
+               "set may be empty. Move it by shift.",
+               {shownNumber(phi, 3)});
+        ImGui::TextDisabled("%s", warning.c_str());
         ImGui::PopTextWrapPos();
     }
-    if (ImGui::SmallButton("φ + β, as printed, beside it")) showAsPrinted(context);
+    if (ImGui::SmallButton(tr("φ + β, as printed, beside it"))) showAsPrinted(context);
     explain("as printed");
 }
 
@@ -111,16 +112,16 @@ void setSpec(StudioContext& context, bool alpha, const ModulationSpec& spec) {
 void brushControls(StudioContext& context, bool alpha, const ModulationSpec& spec) {
     Drawing& drawing = context.drawing;
     const std::string name = alpha ? "α" : "β";
-    toolButton(context, ("Paint " + name).c_str(), "paint",
+    toolButton(context, alpha ? "Paint α" : "Paint β", "paint",
                alpha ? Drawing::Tool::alpha : Drawing::Tool::beta);
     ImGui::SameLine();
-    ImGui::Checkbox("erase", &drawing.erases);
+    ImGui::Checkbox(tr("erase"), &drawing.erases);
     explain("erase");
     ImGui::SameLine();
-    ImGui::TextDisabled("%d dabs", static_cast<int>(spec.discs.size()));
+    ImGui::TextDisabled("%s", tr("{1} dabs", {std::to_string(spec.discs.size())}).c_str());
     if (!spec.discs.empty()) {
         ImGui::SameLine();
-        if (ImGui::SmallButton("clear")) {
+        if (ImGui::SmallButton(tr("clear"))) {
             ModulationSpec none = spec;
             none.discs.clear();
             setSpec(context, alpha, none);
@@ -129,7 +130,7 @@ void brushControls(StudioContext& context, bool alpha, const ModulationSpec& spe
     }
     double& value = alpha ? drawing.alpha : drawing.beta;
     numberField(
-        context, name + " of the brush", name + " of brush", value,
+        context, name + " of the brush", tr("{1} of brush", {name}), value,
         {.help = helpOf("brush value"), .low = alpha ? 0.0 : -0.5, .high = alpha ? 300 : 0.5});
     numberField(context, "radius of the brush", "radius", drawing.radius,
                 {.help = helpOf("brush radius"), .low = 0.01, .high = 1, .logarithmic = true});
@@ -140,10 +141,11 @@ void brushControls(StudioContext& context, bool alpha, const ModulationSpec& spe
 void secondShapeControls(StudioContext& context, bool alpha, const ModulationSpec& now) {
     const Scene& scene = context.workspace.view();
     ModulationSpec spec = now;
-    ImGui::TextDisabled("within a second shape");
+    ImGui::TextDisabled("%s", tr("within a second shape"));
     ImGui::SameLine();
-    const std::string chosen = chosenShape(
-        "##second", "second shape", now.shape.empty() ? "none" : shapeName(scene, now.shape));
+    const std::string chosen =
+        chosenShape("##second", "second shape",
+                    now.shape.empty() ? tr("none") : trMessage(shapeName(scene, now.shape)));
     ShapeText& typed = alpha ? context.alphaShapeText : context.betaShapeText;
     const std::string source = now.shape.starts_with("asset:") ? "" : now.shape;
     if (typed.shown != source) typed.text = typed.shown = source;
@@ -153,13 +155,13 @@ void secondShapeControls(StudioContext& context, bool alpha, const ModulationSpe
     if (!now.shape.empty()) {
         const std::string name = alpha ? "α" : "β";
         changed |= numberField(
-            context, name + " within", name + " within", spec.value,
+            context, name + " within", tr("{1} within", {name}), spec.value,
             {.help = helpOf("second value"), .low = alpha ? 0.0 : -0.5, .high = alpha ? 300 : 0.5});
         changed |= numberField(context, name + " from", "up to φ =", spec.from,
                                {.help = helpOf("second from"), .low = -0.5, .high = 0.5});
         changed |= numberField(context, name + " to", "usual from φ =", spec.to,
                                {.help = helpOf("second to"), .low = -0.5, .high = 0.5});
-        if (ImGui::SmallButton("no second shape")) spec.shape.clear(), changed = true;
+        if (ImGui::SmallButton(tr("no second shape"))) spec.shape.clear(), changed = true;
         explain("no second shape");
     }
     // While an end is dragged past the other one, that one is pushed.
@@ -176,8 +178,8 @@ void secondShapeControls(StudioContext& context, bool alpha, const ModulationSpe
 void modulationControls(StudioContext& context, bool alpha) {
     const ModulationSpec spec = specOf(context.workspace.view(), alpha);
     ImGui::PushID(alpha ? "alpha over space" : "beta over space");
-    const bool open = ImGui::TreeNodeEx(alpha ? "α over space" : "β over space",
-                                        ImGuiTreeNodeFlags_SpanAvailWidth);
+    const std::string title = named(alpha ? "α over space" : "β over space");
+    const bool open = ImGui::TreeNodeEx(title.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth);
     explain("over space");
     if (open) {
         brushControls(context, alpha, spec);
@@ -199,7 +201,7 @@ void drawShapePanel(StudioContext& context) {
     for (const bool alpha : {true, false}) modulationControls(context, alpha);
     const Scene& scene = context.workspace.view();
     if (scene.alphaOverSpace.modulates() || scene.betaOverSpace.modulates()) {
-        ImGui::Checkbox("show where they differ", &context.drawing.overlay);
+        ImGui::Checkbox(tr("show where they differ"), &context.drawing.overlay);
         explain("overlay");
     }
 }

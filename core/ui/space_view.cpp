@@ -256,7 +256,7 @@ void drawSpaceView(StudioContext& context) {
         explain("straight slice");
         ImGui::SameLine();
     }
-    ImGui::TextDisabled("drag: plane, Shift: tilt");
+    ImGui::TextDisabled("%s", tr("drag: plane, Shift: tilt"));
 }
 
 }  // namespace versorium

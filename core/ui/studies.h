@@ -17,6 +17,7 @@
 #include "dynamics/critical_set.h"
 #include "dynamics/cycles.h"
 #include "dynamics/manifolds.h"
+#include "workspace/diagram.h"
 #include "workspace/workspace.h"
 
 namespace versorium {
@@ -107,13 +108,8 @@ const CriticalSet& studyCritical(StudioContext& context, int view);
 const CatalogueBadge* studyBadge(StudioContext& context, int view);
 const std::vector<std::vector<double>>& comparedOrbit(StudioContext& context);
 
-// The parameter that the diagram runs over, and the component of the state that it shows.
-std::string diagramNumber(const Workspace& workspace);
 // Fills some more columns of a diagram of this size.
 DiagramStudy& studyDiagram(StudioContext& context, Size size);
-// Its number with a range: that of the number itself where it has none yet.
-Workspace::Diagram diagramOf(const Workspace& workspace);
-void setDiagramNumber(Workspace& workspace, const std::string& number);
 // As wide as the part of the usual range in which the orbit stays bounded.
 void fitDiagram(StudioContext& context);
 

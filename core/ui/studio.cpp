@@ -16,7 +16,7 @@ namespace {
 constexpr double kQuiet = 0.4;          // seconds without a change before it is recorded
 constexpr double kProgressEvery = 0.1;  // seconds
 constexpr float kNarrow = 900;          // below this width views become tabs
-constexpr float kInspector = 330, kStrip = 150, kWebStrip = 300;
+constexpr float kInspector = 330, kStrip = 150, kWebStrip = 300, kLesson = 340;
 
 }  // namespace
 
@@ -28,7 +28,10 @@ struct Studio::State {
     double fragmentAt = 0;
     std::string fragmentText;
     bool fragmentOld = true;
-    bool sheetOpen = false;
+    // What stands below the view on a narrow screen, and whether the strip takes the view's place.
+    enum class Sheet { none, controls, lesson } sheet = Sheet::none;
+    bool stripShown = false;
+    bool lessonWasOpen = false;
     bool narrow = false;  // one view at a time
 
     bool shows(std::size_t view) const {
@@ -36,6 +39,7 @@ struct Studio::State {
         return !(workspace.maximised || narrow) || static_cast<int>(view) == workspace.focused;
     }
     void takeAnswers();
+    std::string address() const;
     void settle();
     void animate();
     void drawViews(ImVec2 low, ImVec2 high);
@@ -56,6 +60,19 @@ void Studio::State::takeAnswers() {
     takeExport(context);
 }
 
+// A lesson is named by its step, anything else by its state. A teacher's link stays what it is.
+std::string Studio::State::address() const {
+    if (context.teacher) return {};
+    if (context.lessons.now && context.lessons.now->own && !context.lessons.now->wandering()) {
+        const LessonSession& session = context.lessons.now->session;
+        const Expected<std::string> link = teacherLinkText(
+            {.lesson = session.lesson().id, .step = static_cast<int>(session.at())});
+        return link ? *link : std::string();
+    }
+    const Expected<std::string> link = workspaceToLink(context.workspace);
+    return link ? *link : std::string();
+}
+
 // Records what was done, once the hand is off it, and keeps the link up to date.
 void Studio::State::settle() {
     const double now = context.host.now();
@@ -68,9 +85,8 @@ void Studio::State::settle() {
     if (fragmentOld && now - fragmentAt > 0.5 && !ImGui::IsAnyMouseDown()) {
         fragmentOld = context.touched;
         fragmentAt = now;
-        const Expected<std::string> link = workspaceToLink(context.workspace);
-        if (link && *link != fragmentText) {
-            fragmentText = *link;
+        if (const std::string link = address(); !link.empty() && link != fragmentText) {
+            fragmentText = link;
             context.host.setFragment(fragmentText);
         }
     }
@@ -148,58 +164,70 @@ void Studio::State::drawStatus() {
         return;
     }
     if (context.welcome) {
-        ImGui::TextUnformatted(narrow ? "Drag the ring, then press Points: each point here is a "
-                                        "whole picture there. Or press Draw."
-                                      : "Drag the ring. Every point of the left picture is a whole "
-                                        "picture on the right. Or press D and draw a shape.");
+        ImGui::TextUnformatted(
+            narrow ? tr("Drag the ring, then press Points: each point here is a whole picture "
+                        "there. Or press Draw.")
+                   : tr("Drag the ring. Every point of the left picture is a whole picture on the "
+                        "right. Or press D and draw a shape."));
         return;
     }
-    ImGui::TextDisabled("Ctrl K finds every command, ? lists their keys");
+    ImGui::TextDisabled("%s", tr("Ctrl K finds every command, ? lists their keys"));
 }
 
 // Who draws the focused view, with which precision and why; a click chooses.
 void Studio::State::drawRenderer(float right) {
     const LivePicture& picture =
         context.views[static_cast<std::size_t>(context.workspace.focused)].picture;
-    std::string text = picture.onGraphicsProcessor() ? "Graphics processor, 32 bits"
-                                                     : "Processor, double precision";
+    std::string text = picture.onGraphicsProcessor() ? tr("Graphics processor, 32 bits")
+                                                     : tr("Processor, double precision");
     if (picture.memberGoal() > 0)
-        text = std::to_string(picture.members()) + " of " + std::to_string(picture.memberGoal()) +
-               " sets counted  ·  " + text;
+        text = tr("{1} of {2} sets counted",
+                  {std::to_string(picture.members()), std::to_string(picture.memberGoal())}) +
+               "  ·  " + text;
     if (picture.compiling())
-        text += ", compiling …";
+        text += tr(", compiling …");
     else if (!picture.finished())
-        text += ", refining …";
+        text += tr(", refining …");
     ImGui::SetCursorScreenPos(
         {right - ImGui::CalcTextSize(text.c_str()).x, ImGui::GetCursorScreenPos().y});
     ImGui::TextDisabled("%s", text.c_str());
     if (ImGui::IsItemClicked()) ImGui::OpenPopup("renderer");
     if (!ImGui::IsPopupOpen("renderer") && ImGui::IsItemHovered()) {
-        const std::string why = picture.onGraphicsProcessor()
-                                    ? context.gpu.limits().device
-                                    : "Why the processor: " + picture.whyProcessor();
+        const std::string why =
+            picture.onGraphicsProcessor()
+                ? context.gpu.limits().device
+                : tr("Why the processor: {1}", {trMessage(picture.whyProcessor())});
         ImGui::BeginTooltip();
         ImGui::PushTextWrapPos(26 * ImGui::GetFontSize());
-        ImGui::TextUnformatted((why + ".\nClick to choose who draws.").c_str());
+        ImGui::TextUnformatted((why + ".\n" + tr("Click to choose who draws.")).c_str());
         ImGui::PopTextWrapPos();
         ImGui::EndTooltip();
     }
     if (!ImGui::BeginPopup("renderer")) return;
     const std::pair<RendererChoice, const char*> choices[] = {
-        {RendererChoice::automatic, "Automatic"},
-        {RendererChoice::graphics, "Graphics processor, where 32 bits suffice"},
-        {RendererChoice::processor, "Processor, always in double precision"}};
+        {RendererChoice::automatic, tr("Automatic")},
+        {RendererChoice::graphics, tr("Graphics processor, where 32 bits suffice")},
+        {RendererChoice::processor, tr("Processor, always in double precision")}};
     for (const auto& [choice, name] : choices)
         if (ImGui::MenuItem(name, nullptr, context.renderer == choice)) context.choose(choice);
     ImGui::EndPopup();
 }
 
 void Studio::State::drawWide(ImVec2 low, ImVec2 size) {
+    if (context.lessons.open && !context.host.drawsLessons()) {
+        const float pane = std::min(kLesson * context.scale, 0.36f * size.x);
+        ImGui::SetCursorScreenPos(low);
+        ImGui::BeginChild("lesson", {pane, size.y}, ImGuiChildFlags_AlwaysUseWindowPadding);
+        drawLessonPane(context);
+        ImGui::EndChild();
+        low.x += pane + 8;
+        size.x -= pane + 8;
+    }
     const float bar = ImGui::GetFrameHeightWithSpacing();
     const float inspector = kInspector * context.scale;
-    const bool web = context.strip == StudioContext::Strip::web ||
-                     context.strip == StudioContext::Strip::diagram ||
-                     context.strip == StudioContext::Strip::profile;
+    const bool web = context.workspace.strip == StudioContext::Strip::web ||
+                     context.workspace.strip == StudioContext::Strip::diagram ||
+                     context.workspace.strip == StudioContext::Strip::profile;
     const float strip =
         std::min((web ? kWebStrip : kStrip) * context.scale, size.y * (web ? 0.45f : 0.25f));
     const float left = size.x - inspector - 8;
@@ -214,7 +242,7 @@ void Studio::State::drawWide(ImVec2 low, ImVec2 size) {
     drawRenderer(low.x + left - 8);
     ImGui::SetCursorScreenPos({low.x + size.x - inspector, low.y});
     ImGui::BeginChild("inspector", {inspector, size.y}, ImGuiChildFlags_AlwaysUseWindowPadding);
-    drawInspector(context);
+    if (!drawOpenControls(context)) drawInspector(context);
     ImGui::EndChild();
 }
 
@@ -225,33 +253,64 @@ void Studio::State::drawNarrow(ImVec2 low, ImVec2 size) {
     ImGui::SetCursorScreenPos(low);
     for (std::size_t k = 0; k < workspace.views.size(); ++k) {
         if (k) ImGui::SameLine();
-        std::string label = showsParameters(workspace.views[k]) ? "Parameters" : "Points";
-        if (workspace.analysis()) label = k == 0 ? "Set" : std::to_string(k);
+        std::string label = showsParameters(workspace.views[k]) ? tr("Parameters") : tr("Points");
+        if (workspace.analysis()) label = k == 0 ? tr("Set") : std::to_string(k);
         label += "##" + std::to_string(k);
         if (ImGui::Button(label.c_str(), button)) context.mark(static_cast<int>(k));
         explain("view tab");
     }
     ImGui::SameLine();
-    if (ImGui::Button(sheetOpen ? "Close" : "Controls", button)) sheetOpen = !sheetOpen;
+    if (ImGui::Button(stripShown ? tr("View") : tr("Orbit"), button)) stripShown = !stripShown;
+    explain("strip tab");
+    ImGui::SameLine();
+    const bool controls = sheet == Sheet::controls;
+    if (ImGui::Button(controls ? tr("Close") : tr("Controls"), button))
+        sheet = controls ? Sheet::none : Sheet::controls;
     explain("sheet");
-    ImGui::SameLine();
-    if (ImGui::Button("Draw", button)) chooseTool(context, Drawing::Tool::outline);
+    // A second row where there is no room for more.
+    const auto next = [&](const char* label) {
+        const float needed = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+        ImGui::SameLine();
+        if (ImGui::GetCursorScreenPos().x + needed <= low.x + size.x) return 0.0f;
+        ImGui::SetCursorScreenPos({low.x, ImGui::GetCursorScreenPos().y + bar + 6});
+        return bar + 6;
+    };
+    float rows = next(tr("Draw"));
+    if (ImGui::Button(tr("Draw"), button)) chooseTool(context, Drawing::Tool::outline);
     explain("draw shape");
-    ImGui::SameLine();
-    if (ImGui::Button("Undo", button)) context.undo();
+    rows += next(tr("Undo"));
+    if (ImGui::Button(tr("Undo"), button)) context.undo();
     explain("undo");
-    const float sheet = sheetOpen ? size.y * 0.48f : 0;
+    rows += next(tr("Lessons"));
+    if (ImGui::Button(tr("Lessons"), button)) context.lessons.open = !context.lessons.open;
+    explain("lessons");
+    const bool lesson = context.lessons.open && !context.host.drawsLessons();
+    if (lesson && !lessonWasOpen) sheet = Sheet::lesson;
+    if (!lesson && sheet == Sheet::lesson) sheet = Sheet::none;
+    lessonWasOpen = lesson;
+    const float below = sheet != Sheet::none ? size.y * 0.48f : 0;
     const float status = 2 * ImGui::GetTextLineHeight() + 8;
-    drawView(context, workspace.focused, {low.x, low.y + bar + 6},
-             {low.x + size.x, low.y + size.y - sheet - status});
-    ImGui::SetCursorScreenPos({low.x + 8, low.y + size.y - sheet - status + 4});
+    const ImVec2 top{low.x, low.y + bar + 6 + rows};
+    const ImVec2 end{low.x + size.x, low.y + size.y - below - status};
+    if (stripShown) {
+        ImGui::SetCursorScreenPos(top);
+        ImGui::BeginChild("strip", {size.x, end.y - top.y}, ImGuiChildFlags_AlwaysUseWindowPadding);
+        drawOrbitStrip(context);
+        ImGui::EndChild();
+    } else {
+        drawView(context, workspace.focused, top, end);
+    }
+    ImGui::SetCursorScreenPos({low.x + 8, end.y + 4});
     ImGui::PushTextWrapPos(size.x);
     drawStatus();
     ImGui::PopTextWrapPos();
-    if (!sheetOpen) return;
-    ImGui::SetCursorScreenPos({low.x, low.y + size.y - sheet});
-    ImGui::BeginChild("sheet", {size.x, sheet}, ImGuiChildFlags_AlwaysUseWindowPadding);
-    drawInspector(context);
+    if (sheet == Sheet::none) return;
+    ImGui::SetCursorScreenPos({low.x, low.y + size.y - below});
+    ImGui::BeginChild("sheet", {size.x, below}, ImGuiChildFlags_AlwaysUseWindowPadding);
+    if (sheet == Sheet::lesson)
+        drawLessonPane(context);
+    else if (!drawOpenControls(context))
+        drawInspector(context);
     ImGui::EndChild();
 }
 
@@ -306,6 +365,8 @@ void Studio::frame() {
         state.drawWide(low, size);
     drawDialogs(context);
     ImGui::End();
+    keepLocks(context);
+    noteGoal(context);
     state.settle();
 }
 
@@ -338,18 +399,31 @@ Status Studio::openBytes(const std::string& name, std::span<const unsigned char>
 
 Status Studio::openFragment(const std::string& fragment) {
     if (fragment.empty() || fragment == this->fragment()) return {};
+    if (isTeacherLink(fragment)) {
+        const Expected<TeacherLink> link = parseTeacherLink(fragment);
+        const Status status = link ? followTeacherLink(state_->context, *link) : link.status();
+        state_->context.report(status);
+        return status;
+    }
     Expected<Workspace> workspace = workspaceFromLink(fragment);
     if (!workspace) {
         state_->context.report(workspace.status());
         return workspace.status();
     }
+    state_->context.teacher.reset();
     state_->context.open(std::move(*workspace));
     return {};
 }
 
-std::string Studio::fragment() const {
-    const Expected<std::string> link = workspaceToLink(state_->context.workspace);
-    return link ? *link : std::string();
+std::string Studio::fragment() const { return state_->address(); }
+
+Status Studio::openLesson(const std::string& id, std::size_t step) {
+    return versorium::openLesson(state_->context, id, step);
+}
+std::string Studio::lessonRing() const { return ringAnswer(state_->context); }
+std::string Studio::lesson() const { return lessonText(state_->context); }
+bool Studio::lessonDo(const std::string& action, const std::string& value) {
+    return versorium::lessonDo(state_->context, action, value);
 }
 
 bool Studio::finished() const {

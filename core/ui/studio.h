@@ -38,14 +38,21 @@ class Studio {
     Status openPreset(const std::string& name);
     Status openFormula(const std::string& text);
     Status openBytes(const std::string& name, std::span<const unsigned char> bytes);
-    // The part of a link behind the '#', checked like any foreign input.
+    // The part of a link behind the '#', checked like any foreign input: a view, or what a teacher
+    // hands out (lesson/teacher_link.h).
     Status openFragment(const std::string& fragment);
+    // One of the program's lessons, at a step from 0.
+    Status openLesson(const std::string& id, std::size_t step);
     std::string fragment() const;
 
     // What can be set and done, for controls outside of the window: ui/controls.h.
     std::string controls() const;
     bool setControl(const std::string& id, const std::string& value);
     void markView(int view);
+    // The lesson's pane, for a host that draws it: ui/lessons.h.
+    std::string lesson() const;
+    bool lessonDo(const std::string& action, const std::string& value);
+    std::string lessonRing() const;  // the ring's place as an answer; empty where none is asked for
 
     // Shows why something failed.
     void tell(const Status& status);

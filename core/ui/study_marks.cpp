@@ -148,7 +148,7 @@ void drawStudyMarks(StudioContext& context, int view, const ViewPlane& plane, Im
     }
     if (const auto at = placeOfCompared(context, view, plane)) {
         drawMark(list, *at, 7 * scale, MarkShape::square, pinColour(1));
-        drawText(list, {at->x + 10 * scale, at->y - 8 * scale}, pinColour(1), "second");
+        drawText(list, {at->x + 10 * scale, at->y - 8 * scale}, pinColour(1), tr("second"));
     }
     if (const auto at = placeOfStart(context, view, plane)) {
         drawMark(list, *at, 8 * scale, MarkShape::diamond, kStart);

@@ -18,13 +18,13 @@ namespace {
 const char* labelOf(CatalogueAnswer answer) {
     switch (answer) {
         case CatalogueAnswer::onlyCriticalOrbit:
-            return "A catalogue of Julia sets";
+            return tr("A catalogue of Julia sets");
         case CatalogueAnswer::oneOfSeveral:
-            return "One condition of several";
+            return tr("One condition of several");
         case CatalogueAnswer::notCritical:
-            return "No catalogue: not a critical point";
+            return tr("No catalogue: not a critical point");
         case CatalogueAnswer::noCriticalPoint:
-            return "No catalogue: no critical point";
+            return tr("No catalogue: no critical point");
         default:
             return "";
     }
@@ -56,7 +56,7 @@ void drawBadge(StudioContext& context, int view) {
                  label.c_str());
     ImGui::Dummy({wide, letter * 1.7f});
     ImGui::PushTextWrapPos();
-    ImGui::TextDisabled("%s", badge->sentence.c_str());
+    ImGui::TextDisabled("%s", trMessage(badge->sentence).c_str());
     ImGui::PopTextWrapPos();
 }
 
@@ -69,13 +69,13 @@ void chooseCritical(StudioContext& context, int view) {
     if (points.size() < 2) return;
     const auto textOf = [&](std::size_t k) {
         const PlanePoint& at = points[k];
-        return "critical(" + std::to_string(k) + ") = " + formatNumber(at[0], 4) +
-               (system->dimension() == 1 ? "" : ", " + formatNumber(at[1], 4));
+        return "critical(" + std::to_string(k) + ") = " + shownNumber(at[0], 4) +
+               (system->dimension() == 1 ? "" : numberSeparator() + shownNumber(at[1], 4));
     };
     const auto now = static_cast<std::size_t>(*scene.criticalStart);
     ImGui::SetNextItemWidth(-1);
-    const bool open = ImGui::BeginCombo("##which critical",
-                                        now < points.size() ? textOf(now).c_str() : "another one");
+    const bool open = ImGui::BeginCombo(
+        "##which critical", now < points.size() ? textOf(now).c_str() : tr("another one"));
     if (!open) return explain("which critical point");
     for (std::size_t k = 0; k < points.size(); ++k)
         if (ImGui::Selectable(textOf(k).c_str(), k == now) && k != now) {
@@ -86,9 +86,9 @@ void chooseCritical(StudioContext& context, int view) {
 }
 
 std::string complexNumber(std::complex<double> value) {
-    if (value.imag() == 0) return formatNumber(value.real(), 4);
-    return formatNumber(value.real(), 4) + (value.imag() < 0 ? " − " : " + ") +
-           formatNumber(std::abs(value.imag()), 4) + "i";
+    if (value.imag() == 0) return shownNumber(value.real(), 4);
+    return shownNumber(value.real(), 4) + (value.imag() < 0 ? " − " : " + ") +
+           shownNumber(std::abs(value.imag()), 4) + "i";
 }
 
 void drawCycleRow(StudioContext& context, const PeriodicCycle& cycle, int index) {
@@ -105,17 +105,17 @@ void drawCycleRow(StudioContext& context, const PeriodicCycle& cycle, int index)
     ImGui::SameLine(1.25f * letter);
     ImGui::Text("%d", cycle.period);
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(wordOf(cycle.kind));
+    ImGui::TextUnformatted(tr(wordOf(cycle.kind)));
     ImGui::TableNextColumn();
     std::string values;
     if (cycle.multiplier)
         values = complexNumber(*cycle.multiplier);
     else if (cycle.eigenvalues.size() == 2 && cycle.eigenvalues[0].imag() != 0)
-        values = formatNumber(cycle.eigenvalues[0].real(), 4) + " ± " +
-                 formatNumber(std::abs(cycle.eigenvalues[0].imag()), 4) + "i";
+        values = shownNumber(cycle.eigenvalues[0].real(), 4) + " ± " +
+                 shownNumber(std::abs(cycle.eigenvalues[0].imag()), 4) + "i";
     else
         for (const auto& value : cycle.eigenvalues)
-            values += (values.empty() ? "" : ", ") + complexNumber(value);
+            values += (values.empty() ? "" : numberSeparator()) + complexNumber(value);
     ImGui::TextUnformatted(values.c_str());
     if (!chosen) return;
     for (std::size_t k = 0; k < workspace.point.size() && k < 2; ++k)
@@ -123,8 +123,9 @@ void drawCycleRow(StudioContext& context, const PeriodicCycle& cycle, int index)
     for (std::size_t k = 2; k < workspace.point.size(); ++k) workspace.point[k] = 0;
     workspace.orbitAt = 0;
     context.touch();
-    std::string text = "The orbit starts at x = " + formatNumber(cycle.points[0][0], 9);
-    if (workspace.point.size() > 1) text += ", y = " + formatNumber(cycle.points[0][1], 9);
+    std::string text = tr("The orbit starts at x = {1}", {shownNumber(cycle.points[0][0], 9)});
+    if (workspace.point.size() > 1)
+        text += numberSeparator() + ("y = " + shownNumber(cycle.points[0][1], 9));
     context.say(text);
 }
 
@@ -132,13 +133,14 @@ void drawCycleList(StudioContext& context) {
     const CycleStudy& study = studyCycles(context);
     if (!study.problem.empty()) {
         ImGui::PushTextWrapPos();
-        ImGui::TextDisabled("%s", study.problem.c_str());
+        ImGui::TextDisabled("%s", trMessage(study.problem).c_str());
         ImGui::PopTextWrapPos();
         return;
     }
     const int count = static_cast<int>(study.cycles.size());
     if (count == 0) {
-        ImGui::TextDisabled(study.finished ? "None found in the picture." : "Searching …");
+        ImGui::TextDisabled("%s",
+                            study.finished ? tr("None found in the picture.") : tr("Searching …"));
         return;
     }
     const float line = ImGui::GetTextLineHeightWithSpacing();
@@ -147,9 +149,9 @@ void drawCycleList(StudioContext& context) {
     if (ImGui::BeginTable("cycles", 3, ImGuiTableFlags_ScrollY, {0, tall})) {
         ImGui::TableSetupScrollFreeze(0, 1);
         ImGui::TableSetupColumn("n", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize() * 2.6f);
-        ImGui::TableSetupColumn("kind", ImGuiTableColumnFlags_WidthFixed,
+        ImGui::TableSetupColumn(tr("kind"), ImGuiTableColumnFlags_WidthFixed,
                                 ImGui::GetFontSize() * 5.2f);
-        ImGui::TableSetupColumn(complex ? "multiplier" : "eigenvalues");
+        ImGui::TableSetupColumn(complex ? tr("multiplier") : tr("eigenvalues"));
         ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
         for (int k = 0; k < 3; ++k) {
             ImGui::TableSetColumnIndex(k);
@@ -165,7 +167,7 @@ void drawCycleList(StudioContext& context) {
                 drawCycleRow(context, cycles[static_cast<std::size_t>(k)], k);
         ImGui::EndTable();
     }
-    if (study.coarse) ImGui::TextDisabled("A coarse search: there may be more.");
+    if (study.coarse) ImGui::TextDisabled("%s", tr("A coarse search: there may be more."));
 }
 
 }  // namespace
@@ -177,7 +179,7 @@ void drawStartControls(StudioContext& context) {
     const MapKernels& map = mapOf(scene);
     if (hasCriticalPoints(map)) {
         bool critical = scene.criticalStart.has_value();
-        if (ImGui::Checkbox("start at the critical point", &critical)) {
+        if (ImGui::Checkbox(tr("start at the critical point"), &critical)) {
             if (critical) {
                 scene.criticalStart = 0;
             } else {
@@ -206,7 +208,7 @@ void drawStartControls(StudioContext& context) {
             }
         }
         if (map.dimension == 2) {
-            if (ImGui::Button("nearest critical point"))
+            if (ImGui::Button(tr("nearest critical point")))
                 startAtNearest(context, workspace.focused, {scene.start[0], scene.start[1]});
             explain("nearest");
         }
@@ -219,26 +221,26 @@ void drawCycleControls(StudioContext& context) {
     const MapKernels& map = mapOf(workspace.views[0]);
     Workspace::Study& study = workspace.study;
     if (map.dimension == 2) {
-        if (ImGui::Checkbox("critical curve det J = 0", &study.criticalCurve)) context.touch();
+        if (ImGui::Checkbox(tr("critical curve det J = 0"), &study.criticalCurve)) context.touch();
         explain("critical curve");
     }
     if (map.dimension > 2) {
-        ImGui::TextDisabled("For maps of the line and of the plane.");
+        ImGui::TextDisabled("%s", tr("For maps of the line and of the plane."));
         return;
     }
-    if (ImGui::Checkbox("show them", &study.cycles)) context.touch();
+    if (ImGui::Checkbox(tr("show them"), &study.cycles)) context.touch();
     explain("cycles");
     if (!study.cycles) return;
     ImGui::SameLine();
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 4);
-    if (ImGui::DragInt("of period up to", &study.mostPeriod, 0.05f, 1, kMostShownPeriod, "%d",
+    if (ImGui::DragInt(tr("of period up to"), &study.mostPeriod, 0.05f, 1, kMostShownPeriod, "%d",
                        ImGuiSliderFlags_AlwaysClamp))
         context.touch();
     explain("most period");
     if (map.dimension == 2) {
-        if (ImGui::Checkbox("manifolds of saddles", &study.manifolds)) context.touch();
+        if (ImGui::Checkbox(tr("manifolds of saddles"), &study.manifolds)) context.touch();
         explain("manifolds");
-        if (study.manifolds) ImGui::TextDisabled("stable blue, unstable orange");
+        if (study.manifolds) ImGui::TextDisabled("%s", tr("stable blue, unstable orange"));
     }
     drawCycleList(context);
 }
@@ -246,7 +248,7 @@ void drawCycleControls(StudioContext& context) {
 void drawComparedControls(StudioContext& context) {
     Workspace& workspace = context.workspace;
     bool on = !workspace.compared.empty();
-    if (ImGui::Checkbox("a second start to compare", &on)) {
+    if (ImGui::Checkbox(tr("a second start to compare"), &on)) {
         workspace.compared = on ? workspace.point : std::vector<double>();
         if (on) workspace.compared[0] += 0.01;
         context.touch();
@@ -255,7 +257,7 @@ void drawComparedControls(StudioContext& context) {
     const MapInfo& info = mapOf(workspace.views[0]).info;
     for (std::size_t k = 0; k < workspace.compared.size(); ++k) {
         const std::string component = stateComponent(info, static_cast<int>(k));
-        if (numberField(context, "second " + component, "second " + component,
+        if (numberField(context, "second " + component, tr("second {1}", {component}),
                         workspace.compared[k],
                         {.help = helpOf("second start"), .home = workspace.point[k]}))
             context.touch();

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/embedded.h"
+#include "i18n/language.h"
 
 namespace versorium {
 namespace {
@@ -34,12 +35,12 @@ constexpr ImWchar kLetters[] = {0x20,   0x17f,  0x2c6,  0x2c6,  0x302,  0x307,  
 
 const std::vector<StudioTheme>& themes() {
     static const std::vector<StudioTheme> all = {
-        {"dark", rgb(0x0f1115), rgb(0x14171d), rgb(0x262b34), rgb(0xe7e9ee), rgb(0x9aa3b2),
+        {trLater("dark"), rgb(0x0f1115), rgb(0x14171d), rgb(0x262b34), rgb(0xe7e9ee), rgb(0x9aa3b2),
          rgb(0x69d2c3), 15},
-        {"light", rgb(0xf2f3f5), rgb(0xffffff), rgb(0xcdd2da), rgb(0x16181d), rgb(0x525a67),
-         rgb(0x0b7a6c), 15},
-        {"projector", rgb(0xffffff), rgb(0xffffff), rgb(0x6d747f), rgb(0x000000), rgb(0x2c323b),
-         rgb(0x005f8a), 20},
+        {trLater("light"), rgb(0xf2f3f5), rgb(0xffffff), rgb(0xcdd2da), rgb(0x16181d),
+         rgb(0x525a67), rgb(0x0b7a6c), 15},
+        {trLater("projector"), rgb(0xffffff), rgb(0xffffff), rgb(0x6d747f), rgb(0x000000),
+         rgb(0x2c323b), rgb(0x005f8a), 20},
     };
     return all;
 }
@@ -133,10 +134,13 @@ void drawMark(ImDrawList& list, ImVec2 at, float size, MarkShape shape, ImU32 co
     list.AddCircleFilled(at, size * 0.28f, colour);
 }
 
-void drawText(ImDrawList& list, ImVec2 at, ImU32 colour, const std::string& text) {
+void drawText(ImDrawList& list, ImVec2 at, ImU32 colour, const std::string& text, float wrap) {
+    const auto write = [&](ImVec2 place, ImU32 ink) {
+        list.AddText(nullptr, 0, place, ink, text.c_str(), nullptr, wrap);
+    };
     for (const ImVec2 step : {ImVec2{-1, 0}, ImVec2{1, 0}, ImVec2{0, -1}, ImVec2{0, 1}})
-        list.AddText({at.x + step.x, at.y + step.y}, kHalo, text.c_str());
-    list.AddText(at, colour, text.c_str());
+        write({at.x + step.x, at.y + step.y}, kHalo);
+    write(at, colour);
 }
 
 }  // namespace versorium

@@ -25,6 +25,7 @@ enum class MarkShape { ring, square, triangle, diamond };
 ImU32 pinColour(int pin);
 // A mark with a dark halo, so that it is seen on any picture.
 void drawMark(ImDrawList& list, ImVec2 at, float size, MarkShape shape, ImU32 colour);
-void drawText(ImDrawList& list, ImVec2 at, ImU32 colour, const std::string& text);
+// Wrapped to a width above 0.
+void drawText(ImDrawList& list, ImVec2 at, ImU32 colour, const std::string& text, float wrap = 0);
 
 }  // namespace versorium

@@ -6,36 +6,34 @@
 
 #include "ui/context.h"
 #include "ui/help.h"
+#include "ui/shown_number.h"
 
 namespace versorium {
 namespace {
 
-constexpr std::array<const char*, 3> kEasings = {"linear", "smooth", "hold"};
+constexpr std::array<const char*, 3> kEasings = {trLater("linear"), trLater("smooth"),
+                                                 trLater("hold")};
 constexpr double kLeastShown = 2;  // seconds
 constexpr int kCurvePoints = 240;
 constexpr std::size_t kMostCurves = 8;
 constexpr double kLeastGap = 1e-3;  // seconds between key frames
 
 bool button(const char* label, const char* control) {
-    const bool pressed = ImGui::SmallButton(label);
+    const bool pressed = ImGui::SmallButton(tr(label));
     explain(control);
     ImGui::SameLine(0, 4);
     return pressed;
 }
 
 bool numberBox(const char* id, const char* control, double& value, double low, double high,
-               const char* format, float speed) {
+               const char* format, double speed) {
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 4.4f);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(4, 0));
-    double typed = value;
-    const bool changed = ImGui::DragScalar(id, ImGuiDataType_Double, &typed, speed, &low, &high,
-                                           format, ImGuiSliderFlags_AlwaysClamp);
+    const bool changed = dragNumber(id, value, speed, format, low, high);
     ImGui::PopStyleVar();
     explain(control);
     ImGui::SameLine(0, 8);
-    if (!changed || !std::isfinite(typed) || typed == value) return false;
-    value = typed;
-    return true;
+    return changed;
 }
 
 void drawHead(StudioContext& context) {
@@ -47,7 +45,7 @@ void drawHead(StudioContext& context) {
     if (button(player.playing ? "Pause" : "Play", "play motion")) context.play(!player.playing);
     ImGui::SameLine(0, 8);
     double at = player.at;
-    if (numberBox("##at", "motion time", at, 0, kMostSeconds, "%.2f s", 0.02f)) {
+    if (numberBox("##at", "motion time", at, 0, kMostSeconds, tr("%.2f s"), 0.02)) {
         context.play(false);
         motion.keys.empty() ? void(player.at = at) : context.showMotionAt(at);
     }
@@ -58,7 +56,9 @@ void drawHead(StudioContext& context) {
         ImGui::SetNextItemWidth(ImGui::GetFontSize() * 5);
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(4, 0));
         int easing = static_cast<int>(key.easing);
-        if (ImGui::Combo("##easing", &easing, kEasings.data(), static_cast<int>(kEasings.size()))) {
+        std::array<const char*, 3> words = kEasings;
+        for (const char*& word : words) word = tr(word);
+        if (ImGui::Combo("##easing", &easing, words.data(), static_cast<int>(words.size()))) {
             key.easing = static_cast<Easing>(easing);
             context.touch();
         }
@@ -66,7 +66,7 @@ void drawHead(StudioContext& context) {
         explain("easing");
         ImGui::SameLine(0, 8);
     }
-    if (numberBox("##rate", "frame rate", motion.framesPerSecond, 1, 240, "%.0f fps", 0.2f))
+    if (numberBox("##rate", "frame rate", motion.framesPerSecond, 1, 240, tr("%.0f fps"), 0.2))
         context.touch();
     if (!motion.keys.empty()) {
         if (button("Save", "save motion")) context.saveMotion();
@@ -102,7 +102,7 @@ void drawSeconds(const TimeAxis& line, float low, float high) {
         const float x = line.at(k * step);
         list.AddLine({x, low}, {x, high}, ImGui::GetColorU32(ImGuiCol_Border));
         drawText(list, {x + 4, high - ImGui::GetFontSize() - 2},
-                 ImGui::GetColorU32(ImGuiCol_TextDisabled), formatNumber(k * step, 3) + " s");
+                 ImGui::GetColorU32(ImGuiCol_TextDisabled), shownNumber(k * step, 3) + " s");
     }
 }
 
@@ -182,7 +182,7 @@ void drawTimeline(StudioContext& context) {
     if (motion.keys.empty() && !player.recording)
         drawText(list, {low.x + 12, low.y + 0.4f * space.y},
                  ImGui::GetColorU32(ImGuiCol_TextDisabled),
-                 "Record (R) what you do with the marked view, or set key frames (K) by hand.");
+                 tr("Record (R) what you do with the marked view, or set key frames (K) by hand."));
     else
         drawCurves(motion, line, low.y, high.y - 16);
     const float middle = low.y + 0.5f * space.y, mark = 6 * context.scale;

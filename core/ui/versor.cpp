@@ -31,16 +31,18 @@ Status mayLose(const Workspace& workspace, const std::string& list, int item) {
     for (const Scene& scene : workspace.views) {
         for (const SliceAxis& axis : scene.slice.axes)
             for (const auto& [name, weight] : axis.terms)
-                if (speaksFrom(name, list, item)) return refused(name, "an axis of a view");
+                if (speaksFrom(name, list, item))
+                    return refused(name, trLater("an axis of a view"));
         for (const auto& [name, value] : scene.slice.origin)
-            if (speaksFrom(name, list, item)) return refused(name, "a number of a view's slice");
+            if (speaksFrom(name, list, item))
+                return refused(name, trLater("a number of a view's slice"));
         for (const EnsembleRange& range : scene.ensemble.ranges)
             if (speaksFrom(range.name, list, item))
-                return refused(range.name, "drawn at random by an ensemble");
+                return refused(range.name, trLater("drawn at random by an ensemble"));
     }
     for (const KeyFrame& key : workspace.motion.keys)
         for (const auto& [name, value] : key.values)
-            if (speaksFrom(name, list, item)) return refused(name, "part of the motion");
+            if (speaksFrom(name, list, item)) return refused(name, trLater("part of the motion"));
     return {};
 }
 
@@ -169,7 +171,8 @@ void drawRoots(StudioContext& context, int seed) {
     if (!status.ok()) return context.report(status);
     context.versor.chosen = {};
     context.touch();
-    context.say(std::to_string(roots.roots.size()) + " roots of seed " + std::to_string(seed));
+    context.say(
+        tr("{1} roots of seed {2}", {std::to_string(roots.roots.size()), std::to_string(seed)}));
 }
 
 }  // namespace versorium

@@ -221,6 +221,7 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
     drawStudyMarks(context, view, plane, list);
     drawDrawing(context, view, plane, list);
     drawRootMarks(context, view, plane, list);
+    drawLessonMarks(context, view, plane, list);
     const auto marker = markerOf(workspace, static_cast<std::size_t>(view));
     if (workspace.analysis()) drawPlaces(context, view, plane, list);
     if (!workspace.analysis() || view > 0)
@@ -228,18 +229,18 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
                  IM_COL32(255, 255, 255, 255));
     if (state.drag == ViewState::Drag::box)
         list.AddRect(state.dragFrom, ImGui::GetIO().MousePos, theme.accent, 0, 0, 2);
-    std::string title = showsParameters(scene) ? "Parameters" : "Starting points";
+    std::string title = showsParameters(scene) ? tr("Parameters") : tr("Starting points");
     if (workspace.analysis() && view > 0) title += " " + std::to_string(view);
     if (const auto own = scene.parameters.find(kAsPrinted);
         own != scene.parameters.end() && own->second[0] != 0)
-        title += ", φ + β as printed";
-    const std::string measure = "  ·  height " + formatNumber(plane.place.height, 3);
+        title += tr(", φ + β as printed");
+    const std::string measure = "  ·  " + tr("height {1}", {shownNumber(plane.place.height, 3)});
     if (ImGui::CalcTextSize((title + measure).c_str()).x < high.x - low.x - 48 * context.scale)
         title += measure;
     drawText(list, {low.x + 12, low.y + 9}, IM_COL32(231, 233, 238, 255), title);
     if (!state.picture.message().empty())
         drawText(list, {low.x + 12, 0.5f * (low.y + high.y)}, IM_COL32(255, 190, 120, 255),
-                 state.picture.message());
+                 trMessage(state.picture.message()));
     // The thin line of progress.
     if (!state.picture.finished())
         list.AddRectFilled(

@@ -114,6 +114,8 @@ Json workspaceToJson(const Workspace& workspace) {
     if (numberNamed(workspace.views[0], workspace.diagram.number))
         json["diagram"] = {{"number", workspace.diagram.number},
                            {"range", {workspace.diagram.left, workspace.diagram.right}}};
+    if (workspace.strip != Workspace::Strip::series)
+        json["strip"] = kStripWords[static_cast<std::size_t>(workspace.strip)];
     for (const auto& [name, range] : workspace.ranges) json["ranges"][name] = {range[0], range[1]};
     return json;
 }
@@ -181,6 +183,13 @@ Expected<Workspace> workspaceFromJson(const Json& json) {
         if (Status status = one.finish(); !status.ok()) return status;
     }
     reader.boolean("show_roots", workspace.showRoots).boolean("basins", workspace.basins);
+    std::string strip = kStripWords[0];
+    reader.text("strip", strip);
+    const auto word = std::find(kStripWords.begin(), kStripWords.end(), strip);
+    if (word == kStripWords.end())
+        reader.fail("strip", "must be one of series, web, diagram, profile and motion");
+    else
+        workspace.strip = static_cast<Workspace::Strip>(word - kStripWords.begin());
     if (const Json* circles = reader.child("circles")) readCircles(*circles, reader, workspace);
     if (const Json* diagram = reader.child("diagram")) {
         ObjectReader one(*diagram, "diagram");

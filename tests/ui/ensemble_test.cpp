@@ -223,7 +223,7 @@ TEST(ProfileStrip, OfADiscIsAStraightLine) {
     EXPECT_NE(profileAt(profile, 0.01).find("stays"), std::string::npos);
     EXPECT_NE(profileAt(profile, profile.radius.back()).find("leaves"), std::string::npos);
 
-    context.strip = StudioContext::Strip::profile;
+    context.workspace.strip = StudioContext::Strip::profile;
     const auto strip = [&] { drawOrbitStrip(context); };
     for (int k = 0; k < 3; ++k) gui.frame(strip);
     ImGui::GetIO().AddMousePosEvent(450, 150);
@@ -240,7 +240,7 @@ TEST(ProfileStrip, OfADiscIsAStraightLine) {
     // A map without a shape has none.
     context.newMap("quadratic");
     gui.frame(strip);
-    EXPECT_EQ(context.strip, StudioContext::Strip::series);
+    EXPECT_EQ(context.workspace.strip, StudioContext::Strip::series);
     EXPECT_FALSE(studyProfile(context).profile);
 }
 

@@ -186,9 +186,9 @@ TEST(Help, EveryControlOfTheOrbitStripExplainsItself) {
     const auto strip = [&] { drawOrbitStrip(context); };
     expectHelpEverywhere(gui, strip, "series");
     context.newMap("logistic");
-    context.strip = StudioContext::Strip::web;
+    context.workspace.strip = StudioContext::Strip::web;
     expectHelpEverywhere(gui, strip, "web");
-    context.strip = StudioContext::Strip::diagram;
+    context.workspace.strip = StudioContext::Strip::diagram;
     expectHelpEverywhere(gui, strip, "diagram");
     context.setKey();
     context.player.key = 0;

@@ -336,7 +336,7 @@ TEST(Diagram, IsFilledDraggedAndZoomed) {
     StillStudio studio("logistic");
     StudioContext& context = studio.context;
     HeadlessGui gui({900, 300});
-    context.strip = StudioContext::Strip::diagram;
+    context.workspace.strip = StudioContext::Strip::diagram;
     context.workspace.diagram = {"r", 2.5, 4};
     const auto strip = [&] { drawOrbitStrip(context); };
     for (int k = 0; k < 400 && (!context.studies.diagram.diagram ||
@@ -382,7 +382,7 @@ TEST(Diagram, OfAPlateOpensWithItsStrip) {
     ASSERT_TRUE(status.ok()) << status.message();
     EXPECT_EQ(studio.context.workspace.views[0].map, "logistic");
     EXPECT_EQ(studio.context.workspace.diagram, (Workspace::Diagram{"r", 2.8, 4}));
-    EXPECT_EQ(studio.context.strip, StudioContext::Strip::diagram);
+    EXPECT_EQ(studio.context.workspace.strip, StudioContext::Strip::diagram);
 }
 
 TEST(Studies, TravelInALinkAndRefuseWhatIsWrong) {
@@ -427,7 +427,7 @@ TEST(Studies, CommandsAndControlsReachThem) {
     EXPECT_TRUE(run("Critical curve"));
     EXPECT_TRUE(run("Bifurcation diagram"));
     EXPECT_TRUE(context.workspace.study.cycles && context.workspace.study.criticalCurve);
-    EXPECT_EQ(context.strip, StudioContext::Strip::diagram);
+    EXPECT_EQ(context.workspace.strip, StudioContext::Strip::diagram);
     EXPECT_TRUE(setControl(context, "most period", "7"));
     EXPECT_EQ(context.workspace.study.mostPeriod, 7);
     EXPECT_FALSE(setControl(context, "most period", "13"));

@@ -136,13 +136,16 @@ export class Controls {
       this.onView?.(view);
     }
     const scale = this.canvas.clientWidth / Math.max(1, this.canvas.width);
+    const box = this.canvas.getBoundingClientRect();
     views.forEach(({ text, low, high }, index) => {
       const view = this.views[index];
       view.setAttribute("aria-label", `${text} Arrow keys pan, plus and minus zoom.`);
       view.hidden = !low;
       if (!low) return;
-      const [left, top, right, bottom] = [...low, ...high].map((length) => `${length * scale}px`);
-      Object.assign(view.style, { left, top, width: `calc(${right} - ${left})`, height: `calc(${bottom} - ${top})` });
+      const [left, top, right, bottom] = [...low, ...high].map((length) => length * scale);
+      Object.assign(view.style, {
+        left: `${box.left + left}px`, top: `${box.top + top}px`, width: `${right - left}px`, height: `${bottom - top}px`,
+      });
     });
   }
 }

@@ -3,6 +3,7 @@
 import { Controls } from "./controls.mjs";
 import { Address, announce, copyPicture, download, hideMessage, makeHost, showMessage } from "./host.mjs";
 import { listen } from "./input.mjs";
+import { LessonPane } from "./lesson.mjs";
 import { compileProgram, instantiation } from "./load.mjs";
 import { filmOf, makesFilms } from "./film.mjs";
 import { Export, Pictures } from "./tasks.mjs";
@@ -11,7 +12,7 @@ const byId = (id) => document.getElementById(id);
 const canvas = byId("canvas");
 const here = new URL("./", import.meta.url);
 
-let studio = null, pictures = null, exports = null, controls = null, pending = 0, later = 0, firstPicture = 0;
+let studio = null, pictures = null, exports = null, controls = null, lesson = null, pending = 0, later = 0, firstPicture = 0;
 
 // Calls a function of the program that takes texts and perhaps returns one.
 const call = (name, returns, ...texts) =>
@@ -37,6 +38,7 @@ function frame() {
   pending = 0;
   const more = studio._page_frame(...fitCanvas());
   controls.soon(studio._page_finished() === 1);
+  lesson.soon();
   if (!firstPicture && studio._page_pictures_taken() > 0) {
     firstPicture = performance.now();
     document.documentElement.dataset.state = "ready";
@@ -136,7 +138,7 @@ function listenToFiles() {
     openFile(event.dataTransfer.files[0]);
   });
   document.addEventListener("paste", (event) => {
-    if (event.target.closest?.(".field")) return;
+    if (event.target.closest?.(".field, #lesson")) return;
     event.preventDefault();
     const { files } = event.clipboardData;
     if (files.length > 0) return openFile(files[0]);
@@ -229,6 +231,18 @@ async function begin() {
     mark: (view) => { studio._page_mark_view(view); wake(); },
   });
   controls.onView = keys;
+  lesson = new LessonPane(byId("lesson"), {
+    read: () => call("page_lesson", "string"),
+    act: (action, value) => {
+      const done = call("page_lesson_do", "number", action, value) === 1;
+      wake();
+      return done;
+    },
+    controls: () => call("page_controls", "string"),
+    set,
+    ring: () => call("page_lesson_ring", "string"),
+  });
+  byId("lessons").addEventListener("click", () => lesson.act("list"));
   listenToContext();
   listenToFiles();
   listenToSize();
@@ -247,6 +261,8 @@ async function begin() {
     fragment: () => call("page_fragment", "string"),
     set,
     controls: () => call("page_controls", "string"),
+    lesson: () => call("page_lesson", "string"),
+    lessonDo: (action, value = "") => call("page_lesson_do", "number", action, value) === 1,
   };
   wakeAnew();
 }
