@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fields/evaluate.h"
+#include "lesson/plate_marks.h"
 #include "plate/markup.h"
 #include "render/bind.h"
 #include "render/system_of.h"
@@ -167,6 +168,7 @@ PlateDocument plateOfStep(const Lesson& lesson, std::size_t step, const Workspac
             for (std::size_t other = 0; other < shown.views.size(); ++other)
                 if (!showsParameters(shown.views[other]))
                     panels[k].marks.push_back({panels[other].name, ""});
+    if (!shown.maximised) markPanels(shown, panels);
     return document;
 }
 

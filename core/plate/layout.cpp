@@ -141,7 +141,8 @@ class Composer {
             PanelContent& content = contents_[i];
             for (std::size_t k = 0; k < parts->size(); ++k) {
                 const OverlayPart& part = (*parts)[k];
-                PanelCurves drawn{seriesLook(theme_, k), part.points, {}};
+                PanelCurves drawn{
+                    seriesLook(theme_, k), part.points, k < panel.overlay.parts.size(), {}};
                 for (const auto& curve : part.curves) {
                     drawn.curves.emplace_back();
                     for (const auto& point : curve)

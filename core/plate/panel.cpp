@@ -78,14 +78,19 @@ class Builder {
         });
     }
     void overlaid(const PanelCurves& part) {
-        const double width = 0.55 * m_.plotLine, radius = 0.3 * m_.label;
+        const double width = 0.55 * m_.plotLine;
+        // A cloud of points is drawn finer than a few of them.
+        constexpr std::size_t kCloud = 100;
+        const bool cloud = part.points && !part.curves.empty() && part.curves[0].size() > kCloud;
+        const double radius = (cloud ? 0.12 : 0.3) * m_.label;
         sheet_.mark({0, 0, width_, height_}, [=, &part, w = width_, h = height_, theme = theme_](
                                                  Canvas& canvas, double dx, double dy) {
             for (const std::vector<Point>& curve : part.curves) {
                 std::vector<Point> pixels;
                 for (const Point& p : curve) pixels.push_back({dx + p.x * w, dy + (1 - p.y) * h});
                 if (!part.points) {
-                    canvas.polyline(pixels, width, part.look.colour);
+                    if (part.rim) canvas.polyline(pixels, 3 * width, theme.background);
+                    canvas.polyline(pixels, part.rim ? 1.4 * width : width, part.look.colour);
                     continue;
                 }
                 for (const Point& p : pixels) {

@@ -36,6 +36,7 @@ struct PanelMark {
 struct PanelCurves {
     SeriesLook look;
     bool points = false;
+    bool rim = false;  // lines show on any picture
     std::vector<std::vector<Point>> curves;
 };
 

@@ -77,14 +77,25 @@ struct PlateMark {
     friend bool operator==(const PlateMark&, const PlateMark&) = default;
 };
 
-// What is drawn over a dynamical plane: cycles up to a period, the manifolds of saddles among those
-// up to another one, and the critical set (core/dynamics).
+// Curves and points of a panel, in the units of its axes; all of one kind have one look.
+struct OverlayPart {
+    std::string name;  // for the legend
+    bool points = false;
+    std::vector<std::vector<std::array<double, 2>>> curves;  // or one list of points
+    friend bool operator==(const OverlayPart&, const OverlayPart&) = default;
+};
+
+// What is drawn over a plane: curves and points as they are given, such as an orbit; and over a
+// dynamical one cycles up to a period, the manifolds of saddles among those up to another one, and
+// the critical set (core/dynamics).
 struct PlateOverlay {
+    std::vector<OverlayPart> parts;
     int cycles = 0, manifolds = 0;  // periods; 0: none
     double length = 20;             // of each branch of a manifold, in heights of the panel
     bool criticalSet = false;
 
-    bool empty() const { return cycles == 0 && manifolds == 0 && !criticalSet; }
+    bool computed() const { return cycles > 0 || manifolds > 0 || criticalSet; }
+    bool empty() const { return parts.empty() && !computed(); }
     friend bool operator==(const PlateOverlay&, const PlateOverlay&) = default;
 };
 
@@ -153,13 +164,6 @@ struct PanelInfo {
 struct DiagramPicture {
     Raster<float> ink;         // one channel, 0 … 1
     std::vector<int> periods;  // of each column; 0: no cycle, -1: escapes
-};
-
-// Curves and points of a panel, in the units of its axes; all of one kind have one look.
-struct OverlayPart {
-    std::string name;  // for the legend
-    bool points = false;
-    std::vector<std::vector<std::array<double, 2>>> curves;  // or one list of points
 };
 
 // How scenes become pictures; the renderer's side of the seam.

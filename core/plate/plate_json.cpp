@@ -127,8 +127,54 @@ void readMarks(ObjectReader& reader, const std::string& path, PlatePanel& panel)
     }
 }
 
+using Curve = std::vector<std::array<double, 2>>;
+
+// A list of points [x, y]; no more than `left`, which shrinks by them.
+Status readCurve(const Json& value, const std::string& path, std::size_t& left, Curve& curve) {
+    if (!value.is_array() || value.size() > left)
+        return Status::data(path + ": must be a list of points [x, y], 100000 in all at most");
+    left -= value.size();
+    for (const Json& point : value) {
+        if (!point.is_array() || point.size() != 2 || !point[0].is_number() ||
+            !point[1].is_number())
+            return Status::data(path + ": a point is [x, y]");
+        curve.push_back({point[0].get<double>(), point[1].get<double>()});
+        if (!std::isfinite(curve.back()[0]) || !std::isfinite(curve.back()[1]))
+            return Status::data(path + ": a point must be finite");
+    }
+    return {};
+}
+
+Status readParts(const Json& value, const std::string& path, std::vector<OverlayPart>& parts) {
+    if (!value.is_array() || value.size() > Plate::kMarkLimit)
+        return Status::data(path + ": must be a list of at most 6 parts");
+    std::size_t left = Plate::kPointLimit;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        const std::string here = path + "[" + std::to_string(i) + "]";
+        ObjectReader reader(value[i], here);
+        OverlayPart part;
+        readMarkup(reader, "name", part.name);
+        reader.boolean("points", part.points);
+        if (const Json* curves = reader.child("curves")) {
+            if (!curves->is_array() || curves->size() > Plate::kPointLimit)
+                return Status::data(here + ".curves: must be a list of curves");
+            for (const Json& curve : *curves) {
+                part.curves.emplace_back();
+                if (Status status = readCurve(curve, here + ".curves", left, part.curves.back());
+                    !status.ok())
+                    return status;
+            }
+        }
+        if (Status status = reader.finish(); !status.ok()) return status;
+        parts.push_back(std::move(part));
+    }
+    return {};
+}
+
 Status readOverlay(const Json& value, const std::string& path, PlateOverlay& overlay) {
     ObjectReader reader(value, path);
+    if (const Json* parts = reader.child("parts"))
+        reader.fail(readParts(*parts, path + ".parts", overlay.parts));
     reader.integer("cycles", overlay.cycles, 0, 16)
         .integer("manifolds", overlay.manifolds, 0, 8)
         .number("length", overlay.length, 0.01, 1000)
@@ -268,7 +314,11 @@ Json panelToJson(const PlatePanel& panel) {
     value["overlay"] = Json{{"cycles", panel.overlay.cycles},
                             {"manifolds", panel.overlay.manifolds},
                             {"length", panel.overlay.length},
-                            {"critical_set", panel.overlay.criticalSet}};
+                            {"critical_set", panel.overlay.criticalSet},
+                            {"parts", Json::array()}};
+    for (const OverlayPart& part : panel.overlay.parts)
+        value["overlay"]["parts"].push_back(
+            {{"name", part.name}, {"points", part.points}, {"curves", part.curves}});
     return value;
 }
 

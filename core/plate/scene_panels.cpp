@@ -291,6 +291,8 @@ Expected<std::array<double, 2>> locateScene(const Scene& scene, const Scene& oth
 
 Expected<std::vector<OverlayPart>> overlayOf(CpuRenderer& renderer, const Scene& scene,
                                              const PlateOverlay& overlay, Job& job) {
+    std::vector<OverlayPart> parts = overlay.parts;
+    if (!overlay.computed()) return parts;
     if (mapOf(scene).dimension != 2 || !isDynamicalPlane(scene))
         return Status::usage("only a plane of starting points has cycles and curves over it");
     Expected<System> system = systemOf(renderer.binder(), scene, job);
@@ -298,7 +300,6 @@ Expected<std::vector<OverlayPart>> overlayOf(CpuRenderer& renderer, const Scene&
     const double half = 0.5 * scene.slice.height, across = half * scene.aspect;
     const double x = scene.slice.centre[0], y = scene.slice.centre[1];
     const Window window{x - across, x + across, y - half, y + half};
-    std::vector<OverlayPart> parts;
     const auto add = [&](const char* name, bool points, std::vector<Polyline> curves) {
         if (!curves.empty() && !curves[0].empty())
             parts.push_back({name, points, std::move(curves)});

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "lesson/plate_marks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "fields/evaluate.h"
+#include "render/bind.h"
+
+namespace versorium {
+namespace {
+
+using Curve = std::vector<std::array<double, 2>>;
+
+// Longer orbits are clouds of points: their lines would cover the picture.
+constexpr int kMostLineSteps = 60;
+constexpr int kCircleCorners = 180;
+
+// A plane of starting points of a map of the plane, with the state's own components as its axes.
+bool isStatePlane(const Scene& scene) {
+    const MapInfo& info = mapOf(scene).info;
+    if (dimensionOf(info.algebra) != 2 || scene.slice.axes.size() != 2) return false;
+    for (int k = 0; k < 2; ++k) {
+        const SliceAxis& axis = scene.slice.axes[static_cast<std::size_t>(k)];
+        if (axis.terms.size() != 1 || axis.terms[0].first != stateComponent(info, k) ||
+            axis.terms[0].second != 1)
+            return false;
+    }
+    return true;
+}
+
+class Frame {
+  public:
+    explicit Frame(const Scene& view)
+        : x_(view.slice.centre[0]),
+          y_(view.slice.centre[1]),
+          half_(0.5 * view.slice.height),
+          across_(half_ * view.aspect) {}
+
+    bool holds(const std::array<double, 2>& p) const {
+        return std::fabs(p[0] - x_) <= across_ && std::fabs(p[1] - y_) <= half_;
+    }
+    // The runs of a line whose corners lie within.
+    std::vector<Curve> runs(const Curve& line) const {
+        std::vector<Curve> runs(1);
+        for (const auto& p : line) {
+            if (holds(p))
+                runs.back().push_back(p);
+            else if (!runs.back().empty())
+                runs.emplace_back();
+        }
+        std::erase_if(runs, [](const Curve& run) { return run.size() < 2; });
+        return runs;
+    }
+    Curve within(Curve points) const {
+        std::erase_if(points, [&](const auto& p) { return !holds(p); });
+        return points;
+    }
+
+  private:
+    double x_, y_, half_, across_;
+};
+
+Curve orbitCurve(const Workspace& workspace) {
+    const Scene scene = orbitScene(workspace);
+    Binder binder;
+    Job job(1);
+    if (binder.missingGrid(scene)) return {};
+    const Expected<OrbitProgram> program = binder.bind(scene, job);
+    if (!program) return {};
+    Curve curve;
+    for (const auto& state :
+         orbitOf(*program, scene.slice.centre.data(), std::max(0, workspace.orbitSteps)))
+        if (std::isfinite(state[0]) && std::isfinite(state[1]))
+            curve.push_back({state[0], state[1]});
+    return curve;
+}
+
+void add(PlateOverlay& overlay, const char* name, bool points, std::vector<Curve> curves) {
+    std::erase_if(curves, [](const Curve& curve) { return curve.empty(); });
+    if (!curves.empty()) overlay.parts.push_back({name, points, std::move(curves)});
+}
+
+void markOrbit(const Curve& orbit, const Frame& frame, PlateOverlay& overlay) {
+    if (static_cast<int>(orbit.size()) > kMostLineSteps + 1)
+        add(overlay, "orbit", true, {frame.within(orbit)});
+    else
+        add(overlay, "orbit", false, frame.runs(orbit));
+    if (!orbit.empty()) add(overlay, "start", true, {frame.within({orbit[0]})});
+}
+
+void markCircles(const Workspace& workspace, const Frame& frame, PlateOverlay& overlay) {
+    std::vector<Curve> circles;
+    for (const Workspace::Circle& circle : workspace.circles) {
+        Curve line;
+        for (int k = 0; k <= kCircleCorners; ++k) {
+            const double angle = 2 * std::numbers::pi * k / kCircleCorners;
+            line.push_back({circle.centre[0] + circle.radius * std::cos(angle),
+                            circle.centre[1] + circle.radius * std::sin(angle)});
+        }
+        for (Curve& run : frame.runs(line)) circles.push_back(std::move(run));
+    }
+    add(overlay, workspace.circles.size() == 1 ? "circle" : "circles", false, std::move(circles));
+}
+
+void markRoots(const Workspace& workspace, const Frame& frame, PlateOverlay& overlay) {
+    if (!workspace.showRoots) return;
+    for (const auto& [name, list] : workspace.views[0].lists) {
+        Curve places;
+        for (const RootList::Root& root : list.roots) places.push_back({root.q[0], root.q[1]});
+        add(overlay, name.c_str(), true, {frame.within(std::move(places))});
+    }
+}
+
+}  // namespace
+
+void markPanels(const Workspace& workspace, std::vector<PlatePanel>& panels) {
+    std::optional<Curve> orbit;
+    for (std::size_t k = 0; k < std::min(panels.size(), workspace.views.size()); ++k) {
+        const Scene& view = workspace.views[k];
+        if (panels[k].kind != PanelKind::scene || !isStatePlane(view)) continue;
+        if (!orbit) orbit = orbitCurve(workspace);
+        PlateOverlay& overlay = panels[k].overlay;
+        const Frame frame(view);
+        markOrbit(*orbit, frame, overlay);
+        markCircles(workspace, frame, overlay);
+        markRoots(workspace, frame, overlay);
+        const Workspace::Study& study = workspace.study;
+        overlay.criticalSet = study.criticalCurve;
+        overlay.cycles = study.cycles ? study.mostPeriod : 0;
+        overlay.manifolds = study.manifolds ? std::min(study.mostPeriod, 8) : 0;
+    }
+}
+
+}  // namespace versorium
