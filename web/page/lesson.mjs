@@ -256,7 +256,7 @@ export class LessonPane {
       const control = all.get(id);
       if (!control) continue;
       if (!this.fields.has(id)) {
-        const field = this.field_(control);
+        const field = this.makeField(control);
         this.fields.set(id, field);
         this.panel.append(field.element);
       }
@@ -264,7 +264,7 @@ export class LessonPane {
     }
   }
 
-  field_({ id, label, kind, step, range, options }) {
+  makeField({ id, label, kind, step, range, options, shown }) {
     const named = (element, part) => {
       element.dataset.key = `control ${id} ${part}`;
       return element;
@@ -272,10 +272,10 @@ export class LessonPane {
     if (kind === "command") {
       const element = make("button", { type: "button", textContent: label });
       element.addEventListener("click", () => this.set(id, ""));
-      return { element: named(element, ""), show: () => {} };
+      return { element: named(element, "box"), show: ({ locked }) => { element.disabled = Boolean(locked); } };
     }
     const box = kind === "choice"
-      ? make("select", {}, ...options.map((text) => make("option", { textContent: text, value: text })))
+      ? make("select", {}, ...options.map((value, k) => make("option", { textContent: shown?.[k] ?? value, value })))
       : make("input", { type: { number: "text", toggle: "checkbox", colour: "color", text: "text" }[kind] });
     named(box, "box");
     let slider = null;
@@ -308,6 +308,7 @@ export class LessonPane {
       }
       if (kind === "toggle") box.checked = value === "on";
       else if (box.dataset.shown !== value || document.activeElement !== box) box.value = value;
+      if (kind === "choice" && box.value !== value) box.selectedIndex = -1;
       box.dataset.shown = value;
       if (kind === "number") box.setAttribute("aria-valuenow", value);
     };
