@@ -39,6 +39,7 @@ class PageHost : public Host {
     std::string stored(const std::string& name) override;
     void store(const std::string& name, const std::string& text) override;
 
+    std::string preferredLanguage() const override;
     bool toggleFullscreen() override;
     bool reducedMotion() const override;
     void announce(const std::string& text) override;

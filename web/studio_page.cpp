@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "i18n/language.h"
 #include "imgui.h"
 #include "page_host.h"
 #include "page_input.h"
@@ -214,6 +215,11 @@ EMSCRIPTEN_KEEPALIVE int page_set_control(const char* id, const char* value) {
 EMSCRIPTEN_KEEPALIVE void page_mark_view(int view) {
     page->settle = kSettle;
     page->studio.markView(view);
+}
+
+// What the page itself says, in the language of the studio.
+EMSCRIPTEN_KEEPALIVE const char* page_tr(const char* english) {
+    return kept(tr(std::string_view(english)));
 }
 
 EMSCRIPTEN_KEEPALIVE const char* page_fragment() { return kept(page->studio.fragment()); }
