@@ -5,6 +5,7 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <memory>
 #include <utility>
 
@@ -79,6 +80,13 @@ class WindowHost final : public Host {
         // Settings are a comfort: a folder that cannot be written must not stop the studio.
         if (const Status status = writeSetting(name, text); !status.ok())
             std::fprintf(stderr, "versorium: %s\n", status.message().c_str());
+    }
+
+    std::string preferredLanguage() const override {
+        // As POSIX reads them: the first that is set.
+        for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"})
+            if (const char* value = std::getenv(name); value && *value) return value;
+        return "en";
     }
 
   private:

@@ -34,6 +34,7 @@ EM_JS(void, page_js_store, (const char* name, const char* text), {
     Module.page.store(UTF8ToString(name), UTF8ToString(text));
 });
 EM_JS(void, page_js_fragment, (const char* text), { Module.page.setFragment(UTF8ToString(text)); });
+EM_JS(char*, page_js_language, (), { return Module.page.give(Module.page.language()); });
 EM_JS(int, page_js_fullscreen, (), { return Module.page.fullscreen() ? 1 : 0; });
 EM_JS(int, page_js_reduced_motion, (), { return Module.page.reducedMotion() ? 1 : 0; });
 EM_JS(void, page_js_announce, (const char* text), { Module.page.announce(UTF8ToString(text)); });
@@ -118,6 +119,7 @@ void PageHost::store(const std::string& name, const std::string& text) {
     page_js_store(name.c_str(), text.c_str());
 }
 
+std::string PageHost::preferredLanguage() const { return taken(page_js_language()); }
 bool PageHost::toggleFullscreen() { return page_js_fullscreen() != 0; }
 bool PageHost::reducedMotion() const { return page_js_reduced_motion() != 0; }
 void PageHost::announce(const std::string& text) { page_js_announce(text.c_str()); }

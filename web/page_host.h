@@ -40,7 +40,7 @@ class PageHost : public Host {
     void store(const std::string& name, const std::string& text) override;
 
     bool drawsLessons() const override { return true; }
-
+    std::string preferredLanguage() const override;
     bool toggleFullscreen() override;
     bool reducedMotion() const override;
     void announce(const std::string& text) override;

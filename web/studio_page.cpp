@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "i18n/language.h"
 #include "imgui.h"
 #include "page_host.h"
 #include "page_input.h"
@@ -223,6 +224,11 @@ EMSCRIPTEN_KEEPALIVE int page_lesson_do(const char* action, const char* value) {
     return page->studio.lessonDo(action, value) ? 1 : 0;
 }
 EMSCRIPTEN_KEEPALIVE const char* page_lesson_ring() { return kept(page->studio.lessonRing()); }
+
+// What the page itself says, in the language of the studio.
+EMSCRIPTEN_KEEPALIVE const char* page_tr(const char* english) {
+    return kept(tr(std::string_view(english)));
+}
 
 EMSCRIPTEN_KEEPALIVE const char* page_fragment() { return kept(page->studio.fragment()); }
 EMSCRIPTEN_KEEPALIVE int page_frames_drawn() { return page->frames; }

@@ -124,6 +124,34 @@ std::optional<std::vector<std::string>> valuesIn(const Sentence& sentence, std::
     return values;
 }
 
+// A message in the language, and how much of it its sentences are.
+struct Said {
+    std::string text;
+    std::size_t length = 0;
+};
+
+Said saidBest(std::string_view english) {
+    if (const std::string* other = find(english)) return {*other, english.size()};
+    Said best{std::string(english)};
+    for (const Sentence& sentence : now.dictionary->sentences) {
+        std::optional<std::vector<std::string>> values = valuesIn(sentence, english);
+        if (!values) continue;
+        std::size_t length = sentence.length;
+        for (std::string& value : *values) {
+            Said said = saidBest(value);  // of a shorter text
+            value = std::move(said.text);
+            length += said.length;
+        }
+        if (length > best.length) best = {filled(sentence.other, *values), length};
+    }
+    // "where: what".
+    const std::size_t colon = english.find(": ");
+    if (colon == std::string_view::npos) return best;
+    const Said what = saidBest(english.substr(colon + 2));
+    if (what.length <= best.length) return best;
+    return {std::string(english.substr(0, colon + 2)) + what.text, what.length};
+}
+
 }  // namespace
 
 std::span<const Language> languages() { return kLanguages; }
@@ -161,25 +189,7 @@ std::string tr(const char* english, std::initializer_list<std::string> values) {
 }
 
 std::string trMessage(std::string_view english) {
-    if (!now.dictionary || english.empty()) return std::string(english);
-    if (const std::string* other = find(english)) return *other;
-    const Sentence* best = nullptr;
-    std::vector<std::string> values;
-    for (const Sentence& sentence : now.dictionary->sentences) {
-        if (best && sentence.length <= best->length) continue;
-        std::optional<std::vector<std::string>> found = valuesIn(sentence, english);
-        if (!found) continue;
-        best = &sentence;
-        values = std::move(*found);
-    }
-    if (best) {
-        for (std::string& value : values) value = trMessage(value);
-        return filled(best->other, values);
-    }
-    // "where: what".
-    const std::size_t colon = english.find(": ");
-    if (colon == std::string_view::npos) return std::string(english);
-    return std::string(english.substr(0, colon + 2)) + trMessage(english.substr(colon + 2));
+    return now.dictionary ? saidBest(english).text : std::string(english);
 }
 
 std::string withDecimalSign(std::string number) {

@@ -51,9 +51,12 @@ std::vector<double> orbitValues(const Workspace& workspace) {
 
 // The orbit of a map of the line as a time series.
 LinePlot seriesOf(const Workspace& workspace) {
-    LinePlot plot{.aspect = 2, .x = {.name = "step"}};
+    LinePlot plot;
+    plot.aspect = 2;
+    plot.x.name = "step";
     plot.y.name = stateComponent(mapOf(workspace.views[0]).info, 0);
-    PlotLine line{.style = "both"};
+    PlotLine line;
+    line.style = "both";
     for (const double value : orbitValues(workspace)) {
         line.x.push_back(static_cast<double>(line.x.size()));
         line.y.push_back(value);
@@ -66,7 +69,10 @@ LinePlot seriesOf(const Workspace& workspace) {
 LinePlot webOf(const Workspace& workspace) {
     constexpr int kGraph = 200;
     const std::string x = stateComponent(mapOf(workspace.views[0]).info, 0);
-    LinePlot plot{.aspect = 1, .x = {.name = x}, .y = {.name = x + "′"}};
+    LinePlot plot;
+    plot.aspect = 1;
+    plot.x.name = x;
+    plot.y.name = x + "′";
     const std::vector<double> orbit = orbitValues(workspace);
     double low = 0, high = 1;
     for (const double value : orbit) low = std::min(low, value), high = std::max(high, value);

@@ -69,7 +69,7 @@ bool isHarmless(const std::string& command) {
 
 bool namesControl(const MapInfo& info, const std::string& name, const std::string& id) {
     if (name == id) return true;
-    if (name != "point") return id.size() > name.size() && id.starts_with(name + ".");
+    if (name != "point") return id.starts_with(name + ".") || id.starts_with(name + "[");
     for (int k = 0; k < 4; ++k)
         if (stateComponent(info, k) == id) return true;
     return false;

@@ -13,7 +13,8 @@ namespace versorium {
 struct StudioContext;
 
 // Whether a name of a lesson or a link means this control: its own id, the parameter that it is a
-// number of ("c" of "c.re"), or "point" for the numbers of the starting point.
+// number of ("c" of "c.re"), the list that it belongs to ("roots" of "roots[1].re"), or "point" for
+// the numbers of the starting point.
 bool namesControl(const MapInfo& info, const std::string& name, const std::string& id);
 
 Access accessOf(const StudioContext& context, const std::string& id);

@@ -111,7 +111,7 @@ Json stepOf(StudioContext& context) {
 }  // namespace
 
 std::string lessonText(StudioContext& context) {
-    Json json{{"open", context.lessons.open}};
+    Json json{{"open", context.lessons.open}, {"language", languageNow().id}};
     if (!context.lessons.open) return json.dump();
     if (!context.lessons.now) {
         json["lessons"] = Json::array();

@@ -65,8 +65,10 @@ std::string Studio::State::address() const {
     if (context.teacher) return {};
     if (context.lessons.now && context.lessons.now->own && !context.lessons.now->wandering()) {
         const LessonSession& session = context.lessons.now->session;
-        const Expected<std::string> link = teacherLinkText(
-            {.lesson = session.lesson().id, .step = static_cast<int>(session.at())});
+        TeacherLink step;
+        step.lesson = session.lesson().id;
+        step.step = static_cast<int>(session.at());
+        const Expected<std::string> link = teacherLinkText(step);
         return link ? *link : std::string();
     }
     const Expected<std::string> link = workspaceToLink(context.workspace);

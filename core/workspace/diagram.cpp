@@ -7,9 +7,6 @@
 #include "maps/critical.h"
 
 namespace versorium {
-namespace {
-
-// Over the number's own range.
 Workspace::Diagram usualDiagram(const Workspace& workspace, const std::string& number) {
     Workspace::Diagram diagram{number, -2, 2};
     const MapInfo& info = mapOf(workspace.views[0]).info;
@@ -26,8 +23,6 @@ Workspace::Diagram usualDiagram(const Workspace& workspace, const std::string& n
     if (!(diagram.left < diagram.right)) diagram.left = -2, diagram.right = 2;
     return diagram;
 }
-
-}  // namespace
 
 std::string diagramNumber(const Workspace& workspace) {
     const Scene& scene = workspace.views[0];

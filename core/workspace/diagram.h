@@ -14,6 +14,8 @@ std::string diagramNumber(const Workspace& workspace);
 // Its number with a range: that of the number itself where it has none yet.
 Workspace::Diagram diagramOf(const Workspace& workspace);
 void setDiagramNumber(Workspace& workspace, const std::string& number);
+// Over the number's own range.
+Workspace::Diagram usualDiagram(const Workspace& workspace, const std::string& number);
 
 // The scene whose orbits it shows.
 Scene diagramScene(const Workspace& workspace);

@@ -38,30 +38,62 @@ const numbers = (text) => {
   return text.split(",").map(Number);
 };
 
-// The controls that a solution sets, as the step's own control ids have them.
+// What to do, in order, for a solution's lines: pairs of a control's id and its value.
 function settings(solution, open) {
   const wanted = [];
+  let circles = -1, dropped = open.filter((id) => /^circles.*radius$/.test(id)).length;
   for (const line of (solution ?? []).filter(Boolean)) {
     const colon = line.indexOf(":");
     const key = line.slice(0, colon).trim(), value = line.slice(colon + 1).trim();
-    if (open.includes(key)) {
-      wanted.push([key, value]);
-    } else if (key === "slice.center" || key.endsWith(".slice.center")) {
-      numbers(value).forEach((number, k) => wanted.push([`centre${k}`, String(number)]));
-    } else if (key === "slice.height" || key.endsWith(".slice.height")) {
-      wanted.push(["height", value]);
-    } else if (key.endsWith(".start")) {
-      wanted.push(["critical", "on"]);
-    } else if (key === "point") {
-      const parts = open.filter((id) => ["x", "y", "z.re", "z.im", "x0", "y0"].includes(id));
-      numbers(value).forEach((number, k) => parts[k] && wanted.push([parts[k], String(number)]));
+    const each = (ids) => numbers(value).forEach((number, k) => ids[k] && wanted.push([ids[k], String(number)]));
+    if (open.includes(key)) wanted.push([key, value]);
+    else if (key.endsWith("slice.center")) each(["centre0", "centre1"]);
+    else if (key.endsWith("slice.height")) wanted.push(["height", value]);
+    else if (key.endsWith(".start")) wanted.push(["critical", "on"]);
+    else if (key === "ensemble.count") wanted.push(["ensemble members", value]);
+    else if (key === "point") each(open.filter((id) => ["x", "y", "z.re", "z.im"].includes(id)));
+    else if (key === "circle") {
+      if (value === "none") continue;
+      if (++circles >= dropped) wanted.push(["drop circle", ""]);
+      const [x, y, radius] = value.split(",").map((part) => part.trim());
+      const id = `circles[${circles}].`;
+      wanted.push([id + "radius", radius], [id + "centre0", x], [id + "centre1", y]);
+    } else if (key === "roots" || key === "poles") {
+      value.split(";").forEach((root, k) => {
+        const [re, im, power] = root.trim().split(/\s+/);
+        const id = `${key}[${k}].`;
+        if (!open.some((one) => one.startsWith(id)) && open.includes("add root")) wanted.push(["add root", key]);
+        wanted.push([id + "re", re], [id + "im", im], [id + "power", power ?? "1"]);
+      });
     } else {
       const parts = open.filter((id) => id.startsWith(key + "."));
       assert.ok(parts.length > 0, `how is "${line}" set by ${open}?`);
-      numbers(value).forEach((number, k) => parts[k] && wanted.push([parts[k], String(number)]));
+      each(parts);
     }
   }
   return wanted;
+}
+
+// Sets what the step offers of it: a root that is not offered stays where it is.
+async function solve(page, way, solution) {
+  const offered = async () => (await state(page)).step.controls;
+  const reached = async () => (await state(page)).step.goal.reached;
+  const open = await offered();
+  // Chance is drawn until it is kind.
+  for (let seed = 1; open.includes("draw roots") && seed < 20 && !(await reached()); ++seed) {
+    await way.set(page, "random seed", String(seed));
+    await way.set(page, "draw roots", "");
+    await page.waitForTimeout(600);
+  }
+  if (open.includes("draw roots")) return;
+  for (const [id, value] of settings(solution, open)) {
+    if (!(await offered()).includes(id)) continue;
+    if (await page.evaluate(([id, value]) =>
+      JSON.parse(window.versorium.controls()).controls.find((one) => one.id === id).value === value, [id, value])) continue;
+    await waitFor(page, (id) => document.querySelector(`#lesson [data-key="control ${id} box"]`), id);
+    await way.set(page, id, value);
+    await page.waitForTimeout(350);
+  }
 }
 
 const state = (page) => page.evaluate(() => JSON.parse(window.versorium.lesson()));
@@ -69,6 +101,11 @@ const rightChoice = (ask) => ask.filter((line) => /^[-+] /.test(line)).findIndex
 const typedAnswer = (ask) => ask.find((line) => line.startsWith("answer:")).slice(7).trim();
 const controlName = (page, id) => page.evaluate(
   (id) => JSON.parse(window.versorium.controls()).controls.find((control) => control.id === id).label, id);
+
+const shownOption = (page, id, value) => page.evaluate(([id, value]) => {
+  const { options, shown } = JSON.parse(window.versorium.controls()).controls.find((one) => one.id === id);
+  return shown?.[options.indexOf(value)] ?? value;
+}, [id, value]);
 
 // Three ways to do the same few things.
 const byKeyboard = {
@@ -110,7 +147,8 @@ const byKeyboard = {
     await this.focus(page, `control ${id} box`);
     const kind = await page.evaluate(() => document.activeElement.type);
     if (kind === "checkbox") return page.keyboard.press("Space");
-    if (kind === "select-one") return page.keyboard.type(value);
+    if (kind === "submit" || kind === "button") return page.keyboard.press("Enter");
+    if (kind === "select-one") return page.keyboard.type(await shownOption(page, id, value));
     await this.write(page, `control ${id} box`, value);
   },
 };
@@ -132,7 +170,7 @@ const byTouch = {
   async set(page, id, value) {
     const key = `control ${id} box`;
     const kind = await this.at(page, key).evaluate((element) => element.type);
-    if (kind === "checkbox") return this.press(page, key);
+    if (kind === "checkbox" || kind === "button") return this.press(page, key);
     if (kind === "select-one") return this.at(page, key).selectOption(value);
     await this.write(page, key, value);
   },
@@ -164,6 +202,8 @@ const byTree = (language) => ({
     }
     const toggle = pane.getByRole("checkbox", { name, exact: true });
     if (await toggle.count()) return toggle.check();
+    const button = pane.getByRole("button", { name, exact: true });
+    if (await button.count()) return button.press("Enter");
     const choice = pane.getByRole("combobox", { name, exact: true });
     if (await choice.count()) return choice.selectOption(value);
     const text = pane.getByRole("textbox", { name, exact: true });
@@ -189,9 +229,8 @@ async function complete(page, id, language, way) {
         .catch(() => assert.fail(`${where}: the answer is not taken as right`));
     }
     if (sheet[k].goal) {
-      const controls = step.controls.length ? step.controls
-        : await page.evaluate(() => JSON.parse(window.versorium.controls()).controls.map(({ id }) => id));
-      for (const [control, value] of settings(sheet[k].solution, controls)) await way.set(page, control, value);
+      assert.ok(step.controls.length > 0, `${where}: a goal without controls of its own`);
+      await solve(page, way, sheet[k].solution);
       await waitFor(page, () => JSON.parse(window.versorium.lesson()).step.goal.reached)
         .catch(() => assert.fail(`${where}: the goal is not reached`));
     }

@@ -11,6 +11,7 @@ sys.dont_write_bytecode = True
 import catalogue
 import dependencies
 import kernel_symbols
+import texts
 import tracked_files
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -109,6 +110,50 @@ class KernelSymbols(unittest.TestCase):
         self.assertEqual(faults(self.TABLES + "00 u versorium::Form::kPlaces\n"), [])
         self.assertEqual(len(faults(self.TABLES + "00 T versorium::v4_exact::f()\n")), 1)
         self.assertEqual(len(faults("")), 4)
+
+
+class Texts(unittest.TestCase):
+
+    def faults(self, code, entries, name="core/ui/a.cpp"):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder).resolve()
+            for path, text in [(name, code), ("core/i18n/es.json", entries)]:
+                (root / path).parent.mkdir(parents=True, exist_ok=True)
+                (root / path).write_text(text, encoding="utf-8")
+            return texts.check(root)[2]
+
+    def test_finds(self):
+        undo = '{"Undo": "Deshacer"}'
+        for code, entries in [
+            ('b(tr("Undo"), tr("Redo"));', undo),
+            ('b(tr("Un" "do"));', "{}"),
+            ('heading("Colours");', "{}"),
+            ('all.choice("id", "label", now, {"one", "two"}, [] { f(); });', '{"label": "x", "one": "x"}'),
+            ('context.say("It moved");', "{}"),
+            ('f(trLater("Undo")); ImGui::Button("Undo");', undo),
+            ('ImGui::TextDisabled("%s", tr("Undo")), ImGui::Text("So it is");', undo),
+            ('const char* text = tr("Undo"), *other = "words of no function";', undo),
+            ('return tr("Undo"), Status::usage("a shape is " + name + " here");', undo),
+            ('b(tr("Undo"));', '{"Undo": "Deshacer", "Redo": "Rehacer"}'),
+            ('b(tr("Undo"));', '{"Undo": "Deshacer", "Undo": "Otra vez"}'),
+            ('b(tr("Undo"));', '{"Undo": " "}'),
+            ('b(tr("Undo"));', '{"Undo": "Deshacer",}'),
+            ('b(tr("{1} of {2} views", {a, b}));', '{"{1} of {2} views": "{1} vistas"}'),
+            ('b(tr("%.2f pieces"));', '{"%.2f pieces": "%d trozos"}'),
+        ]:
+            self.assertEqual(len(self.faults(code, entries)), 1, code)
+
+    def test_leaves_alone(self):
+        for code, entries in [
+            ('// ImGui::Button("Undo")\nb(tr("Undo"));', '{"Undo": "Deshacer"}'),
+            ('heading("Colours"); explain("colour by"); PushID("palette editor");',
+             '{"Colours": "Colores"}'),
+            ('say(tr("{1} of {2} views", {a, b}));', '{"{1} of {2} views": "de {2} vistas, {1}"}'),
+            ('b(tr("Un" "do")); ImGui::Button("##x"); ImGui::Button("+");', '{"Undo": "Deshacer"}'),
+            ('f(trLater("Undo"), Status::usage("a " + (b ? "long" : "short") + " word, " + c));',
+             '{"Undo": "Deshacer", "a long word, {1}": "x{1}", "a short word, {1}": "y{1}"}'),
+        ]:
+            self.assertEqual(self.faults(code, entries), [], code)
 
 
 class TrackedFiles(unittest.TestCase):

@@ -66,6 +66,11 @@ TABLES = [
 # Not shown, or the same everywhere.
 EXEMPT = {"layer", "what", "value", "Versorium", "star(5, 0.9, 0.45)", "Mark view ", "the CPU draws this: ",
           "begin export", "cancel export", "lesson step"}
+# Rooms whose messages the studio shows by trMessage(), and the functions that make them, with the
+# place of the message from the end. What the command line alone asks for is left out.
+ROOMS = "base colour dynamics gpu io render scene shape trace ui workspace".split()
+MESSAGES = {"Status::usage": 0, "Status::data": 0, "Status::inputOutput": 0, "fail": -1, "say": -1}
+OF_THE_COMMAND_LINE = re.compile(r"--set|averaged map|ensemble varies nothing")
 # Names may be said otherwise in a language, or stay.
 LISTS = {"roots", "poles"}
 MAY = ["lessons/presets/*.json", "lessons/animations/*.json", "lessons/plates/*.json"]
@@ -174,6 +179,7 @@ def read_ui(found, root, path):
     for function, place, argument, position in calls(code, RAW):
         for text, at in literals(argument, position):
             if at not in named and words_of(text) and text not in EXEMPT:
+                named.add(at)
                 found.faults.append(f'{where(at)}: {function} shows "{text}" in English: '
                                     "give it through tr()")
     # Words, not put through anything.
@@ -186,6 +192,64 @@ def read_ui(found, root, path):
             continue
         found.faults.append(f'{where(at)}: "{text}" is shown in English, or the name of a thing: '
                             "give it through tr(), or name its function in tests/checks/texts.py")
+
+
+def parted(expression, sign):
+    """What stands between these signs of an expression, outside of brackets and literals."""
+    found, depth, at, begin = [], 0, 0, 0
+    while at < len(expression):
+        literal = LITERAL.match(expression, at) if expression[at] == '"' else None
+        if literal:
+            at = literal.end()
+            continue
+        depth += {"(": 1, "[": 1, "{": 1, ")": -1, "]": -1, "}": -1}.get(expression[at], 0)
+        if depth == 0 and re.match(sign, expression[at:]) and expression[at - 1:at] != ":":
+            found.append(expression[begin:at])
+            begin = at + 1
+        at += 1
+    return found + [expression[begin:]]
+
+
+def sentences_of(expression):
+    """The sentences that a sum of literals and values makes: values become places {1}, {2} …, a
+    choice between literals becomes sentences of their own."""
+    chosen = parted(expression, r"\?")
+    if len(chosen) == 2:
+        for branch in parted(chosen[1], r":(?!:)"):
+            yield from sentences_of(branch)
+        return
+    parts = [[""]]
+    for term in (term.strip() for term in parted(expression, r"\+")):
+        term = re.sub(r"^std::string\((.*)\)$", r"\1", term, flags=re.S)
+        choice = re.fullmatch(r"\(?[^\"]*\?\s*((?:\"[^\"]*\"\s*)+):\s*((?:\"[^\"]*\"\s*)+)\)?", term)
+        said = ["".join(text for text, _ in literals(part, 0)) for part in choice.groups()] if choice \
+            else ["".join(text for text, _ in literals(term, 0))] if term.startswith('"') else ["\0"]
+        parts.append(said)
+    texts = [""]
+    for said in parts:
+        texts = [text + part for text in texts for part in said]
+    for text in texts:
+        # "where: what" is parted by trMessage() itself.
+        text = re.sub("^\0+(?:: |(?=[a-z0-9]))", "", text)
+        count = iter(range(1, 10))
+        yield re.sub("\0+", lambda _: f"{{{next(count)}}}", text)
+
+
+def read_messages(found, root):
+    for room in ROOMS:
+        for path in sorted([*root.glob(f"core/{room}/**/*.cpp"), *root.glob(f"core/{room}/**/*.h")]):
+            code = without_comments(path.read_text(encoding="utf-8"))
+            # What stands in the places of messages may be said as well.
+            found.may.update(text for text, _ in literals(code, 0) if " " in text)
+            for name, place in MESSAGES.items():
+                if name == "say" and room == "ui": continue
+                for match in re.finditer(r"\b" + name + r"\(", code):
+                    given = arguments(code, match.end())
+                    if not given or '"' not in given[place][0]: continue
+                    where = f"{path.relative_to(root)}:{line_of(code, match.start())}"
+                    for text in sentences_of(given[place][0]):
+                        if len(re.sub(r"\{[1-9]\}", "", text)) >= 6 and not OF_THE_COMMAND_LINE.search(text):
+                            found.add(text, where)
 
 
 def read_tables(found, root):
@@ -211,6 +275,20 @@ def read_tables(found, root):
         for _, _, argument, position in calls(code, {"tr": [0]}):
             for text, at in literals(argument, position):
                 found.add(text, f"{path.relative_to(root)}:{line_of(code, at)}")
+    page = root / "web/page/index.html"
+    if page.is_file():
+        for text in re.findall(r' data-(?:text|label)="([^"]*)"', page.read_text(encoding="utf-8")):
+            found.add(text, str(page.relative_to(root)))
+
+
+def early_texts(root):
+    """What the page says before the program runs: language -> [(English, other)]."""
+    words = root / "web/page/words.mjs"
+    code = words.read_text(encoding="utf-8") if words.is_file() else ""
+    early = {}
+    for match in re.finditer(r"^  (\w\w): \{\n(.*?)^  \},", code, re.S | re.M):
+        early[match.group(1)] = re.findall(r'"([^"]*)":\s*"([^"]*)"', match.group(2))
+    return early
 
 
 def places_of(text):
@@ -222,6 +300,7 @@ def check(root):
     for path in sorted(root.glob("core/ui/*.cpp")) + sorted(root.glob("core/ui/*.h")):
         read_ui(found, root, path)
     read_tables(found, root)
+    read_messages(found, root)
     faults = list(found.faults)
     languages = sorted((root / "core/i18n").glob("*.json"))
     for path in languages:
@@ -240,6 +319,9 @@ def check(root):
             if not other.strip(): faults.append(f'{name}: "{english}" is empty')
             if english not in found.texts and english not in found.may:
                 faults.append(f'{name}: "{english}" is used nowhere: take it away')
+        for english, other in early_texts(root).get(path.stem, []):
+            if seen.get(english) != other:
+                faults.append(f'web/page/words.mjs: "{english}" is said otherwise in {name}')
         for text, where in found.texts.items():
             if text not in seen: faults.append(f'{name}: "{text}" of {where} is missing')
     return found, languages, faults

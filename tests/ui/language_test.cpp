@@ -73,7 +73,8 @@ TEST(StudioLanguage, ControlsKeepTheirNamesAndValues) {
             ASSERT_NE(found, spanish.end()) << id;
             EXPECT_EQ(found->second.options, control.options) << id;
             EXPECT_EQ(found->second.shown.size(), control.options.size()) << id;
-            if (id != "language") EXPECT_EQ(found->second.value, control.value) << id;
+            if (id == "language") continue;
+            EXPECT_EQ(found->second.value, control.value) << id;
             said += found->second.label != control.label;
         }
         EXPECT_GT(said, 100) << map;
@@ -194,8 +195,7 @@ TEST(StudioLanguage, OpenPartsStayOpenWhenItChanges) {
     ASSERT_EQ(imgui.OpenPopupStack.Size, 1);
     const ImGuiID before = imgui.OpenPopupStack[0].PopupId;
     context.speak("es");
-    const std::string text = written(gui, dialogs);
-    EXPECT_TRUE(has(text, "píxeles de ancho")) << text;
+    gui.frame(dialogs);
     ASSERT_EQ(imgui.OpenPopupStack.Size, 1);
     EXPECT_EQ(imgui.OpenPopupStack[0].PopupId, before);
     context.speak("en");

@@ -4,8 +4,14 @@
 // one has the focus, and in step with the studio. Each view has a place to focus as well, whose keys
 // go to the studio.
 import { announce } from "./host.mjs";
+import { speak, tr } from "./words.mjs";
 
 const every = 300; // milliseconds between two looks at the studio
+
+// Numbers are written with the decimal sign of the language, and read with a point or a comma.
+let decimal = ".";
+const written = (number) => number.replace(".", decimal);
+const read = (text) => text.trim().replace(",", ".");
 
 const make = (tag, properties = {}, ...children) => {
   const element = Object.assign(document.createElement(tag), properties);
@@ -14,7 +20,7 @@ const make = (tag, properties = {}, ...children) => {
 };
 
 // One control: its element, where to read and write it, and what of it cannot change in place.
-function makeField({ id, label, kind, step, options }, set) {
+function makeField({ id, label, kind, step, options, shown }, set) {
   if (kind === "command") {
     const element = make("button", { type: "button", className: "field", textContent: label });
     element.addEventListener("click", () => set(id, ""));
@@ -25,7 +31,7 @@ function makeField({ id, label, kind, step, options }, set) {
     kind === "choice" ? make("select")
     : make("input", { type: { number: "text", toggle: "checkbox", colour: "color", text: "text" }[kind] });
   let now = "";
-  if (kind === "choice") fillChoice(input, options);
+  if (kind === "choice") fillChoice(input, options, shown);
   if (kind === "number") {
     input.setAttribute("role", "spinbutton");
     input.inputMode = "decimal";
@@ -33,17 +39,20 @@ function makeField({ id, label, kind, step, options }, set) {
       const steps = { ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
       if (!steps) return;
       event.preventDefault();
-      const wanted = Number(input.value) + steps * input.step_;
-      input.value = String(Number(wanted.toPrecision(12)));
+      const wanted = Number(read(input.value)) + steps * input.step_;
+      input.value = written(String(Number(wanted.toPrecision(12))));
       input.dispatchEvent(new Event("change"));
     });
     input.step_ = step;
   }
   input.addEventListener("change", () => {
-    const value = kind === "toggle" ? (input.checked ? "on" : "off") : input.value;
+    const value =
+      kind === "toggle" ? (input.checked ? "on" : "off")
+      : kind === "number" ? read(input.value)
+      : input.value;
     if (value === now) return;
     if (set(id, value)) return void (now = value);
-    announce(`${label} cannot be ${value}`);
+    announce(tr("{1} cannot be {2}", label, input.value));
     show(now, true);
   });
   const show = (value, anyway) => {
@@ -51,15 +60,16 @@ function makeField({ id, label, kind, step, options }, set) {
     if (!anyway && value === now) return;
     now = value;
     if (kind === "toggle") input.checked = value === "on";
-    else input.value = value;
+    else input.value = kind === "number" ? written(value) : value;
     if (kind === "number") input.setAttribute("aria-valuenow", value);
     if (kind === "choice" && input.value !== value) input.selectedIndex = -1;
   };
   return { element: make("label", { className: "field" }, label + " ", input), input, show };
 }
 
-function fillChoice(select, options) {
-  select.replaceChildren(...options.map((text) => make("option", { textContent: text, value: text })));
+function fillChoice(select, options, shown) {
+  const option = (value, index) => make("option", { textContent: shown[index], value });
+  select.replaceChildren(...options.map(option));
 }
 
 export class Controls {
@@ -88,7 +98,11 @@ export class Controls {
     const text = this.read();
     if (text !== this.text) {
       this.text = text;
-      const { controls, views, focused } = JSON.parse(text);
+      const { controls, views, focused, language, decimal: sign } = JSON.parse(text);
+      if (language !== this.language) {
+        decimal = sign;
+        speak((this.language = language));
+      }
       const shape = JSON.stringify(controls.map(({ id, label, options }) => [id, label, options]));
       if (shape !== this.shape) this.build(controls, shape);
       for (const control of controls) {
@@ -139,7 +153,7 @@ export class Controls {
     const box = this.canvas.getBoundingClientRect();
     views.forEach(({ text, low, high }, index) => {
       const view = this.views[index];
-      view.setAttribute("aria-label", `${text} Arrow keys pan, plus and minus zoom.`);
+      view.setAttribute("aria-label", tr("{1} Arrow keys pan, plus and minus zoom.", text));
       view.hidden = !low;
       if (!low) return;
       const [left, top, right, bottom] = [...low, ...high].map((length) => length * scale);

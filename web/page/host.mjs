@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the studio's Host needs of a browser: page_host.cpp calls these as Module.page.
+import { tr } from "./words.mjs";
 
 const byId = (id) => document.getElementById(id);
 
@@ -97,7 +98,7 @@ export function makeHost({ studio, wake, address, pictures, exports, makesFilms,
       timer = setTimeout(() => { due = Infinity; wake(); }, 1000 * seconds);
     },
     copy(text) {
-      navigator.clipboard?.writeText(text).catch(() => announce("The browser did not copy."));
+      navigator.clipboard?.writeText(text).catch(() => announce(tr("The browser did not copy.")));
     },
     request: (request) => pictures().request(request),
     startExport: (document, name, copy) => exports().begin(document, name, copy),
@@ -129,11 +130,12 @@ export function makeHost({ studio, wake, address, pictures, exports, makesFilms,
     setFragment: (fragment) => address.set(fragment),
     fullscreen() {
       if (!document.fullscreenEnabled) return false;
-      const refused = () => announce("The browser did not fill the screen.");
+      const refused = () => announce(tr("The browser did not fill the screen."));
       if (document.fullscreenElement) document.exitFullscreen().catch(refused);
       else document.documentElement.requestFullscreen().catch(refused);
       return true;
     },
+    language: () => navigator.language ?? "en",
     reducedMotion: () => matchMedia("(prefers-reduced-motion: reduce)").matches,
     announce,
     cursor(index) {
@@ -169,10 +171,10 @@ async function copyPicture(name, bytes) {
   try {
     const blob = new Blob([bytes], { type: "image/png" });
     await navigator.clipboard.write([new ClipboardItem({ "image/png": blob })]);
-    return "the clipboard";
+    return tr("the clipboard");
   } catch {
     download(name, bytes);
-    return `${name}, among your downloads: the browser did not take it into its clipboard`;
+    return tr("{1}, among your downloads: the browser did not take it into its clipboard", name);
   }
 }
 

@@ -3,6 +3,7 @@
 // aloud, walked through by Tab and written into. What it holds comes from the program as JSON
 // (core/ui/lesson_page.cpp), and every button goes back there.
 import { announce } from "./host.mjs";
+import { tr } from "./words.mjs";
 
 const every = 250; // milliseconds between two looks at the studio
 
@@ -54,9 +55,8 @@ function blocks(list) {
 export class LessonPane {
   // `read` gives the JSON, `act(action, value)` says whether it was done, `controls()` gives those
   // of ui/controls.h, `set(id, value)` sets one, and `ring()` is the ring's place as an answer.
-  constructor(home, { read, act, controls, set, ring, words }) {
+  constructor(home, { read, act, controls, set, ring }) {
     Object.assign(this, { home, read, controls, set, ring });
-    this.words = words ?? ((text) => text);
     this.act = (action, value = "") => {
       const done = act(action, value);
       this.refresh();
@@ -104,7 +104,7 @@ export class LessonPane {
   }
 
   button(label, key, action, value = "", properties = {}) {
-    const button = make("button", { type: "button", textContent: this.words(label), ...properties });
+    const button = make("button", { type: "button", textContent: label, ...properties });
     button.dataset.key = key;
     button.addEventListener("click", () => this.act(action, value));
     return button;
@@ -118,14 +118,14 @@ export class LessonPane {
     const entries = lessons.map(({ id, title, level, minutes, steps, done }) => make("li", {},
       this.button(`${done === steps ? "✓ " : ""}${title}`, `open ${id}`, "open", id, { className: "lesson" }),
       make("small", { textContent: `${minutes} min · ${level} · ${done} / ${steps}` })));
-    const file = make("button", { type: "button", textContent: this.words("Open a lesson's file") });
+    const file = make("button", { type: "button", textContent: tr("Open a lesson's file") });
     file.dataset.key = "file";
     file.addEventListener("click", () => document.getElementById("file").click());
     return [
-      this.heading(this.words("Lessons")),
-      make("p", { textContent: this.words("Each takes five to ten minutes. What you have done is kept here, on this device.") }),
+      this.heading(tr("Lessons")),
+      make("p", { textContent: tr("Each takes five to ten minutes. What you have done is kept here, on this device.") }),
       make("ol", { className: "lessons" }, ...entries),
-      make("p", { className: "buttons" }, file, this.button("Close", "close", "close")),
+      make("p", { className: "buttons" }, file, this.button(tr("Close"), "close", "close")),
     ];
   }
 
@@ -140,7 +140,7 @@ export class LessonPane {
     const parts = [
       make("header", {},
         make("h1", { textContent: lesson.title }),
-        make("nav", { ariaLabel: `${this.words("Steps")}: ${done} / ${lesson.steps.length}` },
+        make("nav", { ariaLabel: `${tr("Steps")}: ${done} / ${lesson.steps.length}` },
           make("ol", { className: "steps" }, ...dots))),
       this.heading("", [...runs(step.title)]),
       blocks(step.prose),
@@ -148,21 +148,21 @@ export class LessonPane {
       step.question ? this.question(step.question, step) : null,
       step.reveal ? this.reveal(step) : null,
       step.goal ? this.goal(step.goal) : null,
-      ...step.hints.map((hint) => make("aside", { className: "hint" }, make("strong", { textContent: this.words("Hint") }), blocks(hint))),
+      ...step.hints.map((hint) => make("aside", { className: "hint" }, make("strong", { textContent: tr("Hint") }), blocks(hint))),
       make("p", { className: "buttons" },
-        step.canHint ? this.button("Hint", "hint", "hint") : null,
-        step.canReveal ? this.button("Show me", "show", "show") : null,
-        step.wandering ? this.button("Back to the step", "return", "return") : null,
-        step.mayWander ? this.button("All controls", "wander", "wander") : null,
-        this.button("Reset", "reset", "reset")),
+        step.canHint ? this.button(tr("Hint"), "hint", "hint") : null,
+        step.canReveal ? this.button(tr("Show me"), "show", "show") : null,
+        step.wandering ? this.button(tr("Back to the step"), "return", "return") : null,
+        step.mayWander ? this.button(tr("All controls"), "wander", "wander") : null,
+        this.button(tr("Reset"), "reset", "reset")),
       step.last ? this.end() : null,
       step.notes.length
-        ? make("details", {}, make("summary", { textContent: this.words("For teachers") }), ...step.notes.map(blocks)) : null,
+        ? make("details", {}, make("summary", { textContent: tr("For teachers") }), ...step.notes.map(blocks)) : null,
       make("footer", { className: "buttons" },
-        this.button("← Back", "back", "back", "", { disabled: lesson.at === 0 }),
-        this.button("Next →", "next", "next", "", { disabled: step.last }),
-        lesson.locked ? null : this.button("All lessons", "all", "all"),
-        lesson.locked ? null : this.button("Close", "close", "close")),
+        this.button(tr("← Back"), "back", "back", "", { disabled: lesson.at === 0 }),
+        this.button(tr("Next →"), "next", "next", "", { disabled: step.last }),
+        lesson.locked ? null : this.button(tr("All lessons"), "all", "all"),
+        lesson.locked ? null : this.button(tr("Close"), "close", "close")),
     ];
     return parts.filter(Boolean);
   }
@@ -183,7 +183,7 @@ export class LessonPane {
     });
     this.field = null;
     if (question.kind !== "choice") {
-      const name = this.words(question.kind === "point" ? "two numbers: x, y" : "a number");
+      const name = question.kind === "point" ? tr("two numbers: x, y") : tr("a number");
       this.field = make("input", { type: "text", inputMode: question.kind === "point" ? "text" : "decimal", value: this.draft, autocomplete: "off" });
       this.field.dataset.key = "answer";
       this.field.addEventListener("input", () => {
@@ -192,27 +192,27 @@ export class LessonPane {
       });
       group.append(make("label", { className: "typed" }, name, this.field));
     }
-    const commit = make("button", { type: "submit", textContent: this.words("Commit") });
+    const commit = make("button", { type: "submit", textContent: tr("Commit") });
     commit.dataset.key = "commit";
     group.append(make("p", { className: "buttons" },
       question.kind === "point" ? this.ringButton() : null, commit));
     form.addEventListener("submit", (event) => {
       event.preventDefault();
-      if (this.draft.trim() === "") return announce(this.words("Choose or write an answer first"));
+      if (this.draft.trim() === "") return announce(tr("Choose or write an answer first"));
       this.act("commit", this.draft);
     });
     if (question.problem) group.append(make("p", { className: "problem", textContent: question.problem }));
     if (question.said) {
       group.append(make("p", { className: question.right ? "right" : "wrong" },
-        make("strong", { textContent: question.right ? `✓ ${this.words("Right.")} ` : `✗ ${this.words("Not yet.")} ` }),
-        `${this.words("Your answer:")} `, ...runs(question.said), ". ", ...runs(question.meaning)));
-      if (step.rightAnswer) group.append(make("p", {}, `${this.words("The answer:")} `, ...runs(step.rightAnswer)));
+        make("strong", { textContent: question.right ? `✓ ${tr("Right.")} ` : `✗ ${tr("Not yet.")} ` }),
+        `${tr("Your answer: {1}", "")}`, ...runs(question.said), ". ", ...runs(question.meaning)));
+      if (step.rightAnswer) group.append(make("p", {}, `${tr("The answer: {1}", "")}`, ...runs(step.rightAnswer)));
     }
     return form;
   }
 
   ringButton() {
-    const button = make("button", { type: "button", textContent: this.words("Take the ring's place") });
+    const button = make("button", { type: "button", textContent: tr("Take the ring's place") });
     button.dataset.key = "ring";
     button.addEventListener("click", () => {
       this.draft = this.field.value = this.ring();
@@ -224,28 +224,28 @@ export class LessonPane {
     return make("section", { className: "reveal" }, blocks(step.reveal),
       step.revealShown === undefined ? null
       : make("p", { className: "buttons" },
-          this.button(step.revealShown ? "Back to my picture" : "Show it in the picture", "reveal", "reveal")));
+          this.button(step.revealShown ? tr("Back to my picture") : tr("Show it in the picture"), "reveal", "reveal")));
   }
 
   goal({ text, reached, praise }) {
     return make("section", { className: reached ? "goal reached" : "goal" },
-      make("p", {}, make("strong", {}, reached ? "✓ " : "○ ", make("span", { className: "unseen", textContent: `${this.words(reached ? "Goal, reached:" : "Goal:")} ` }), ...runs(text))),
+      make("p", {}, make("strong", {}, reached ? "✓ " : "○ ", make("span", { className: "unseen", textContent: `${reached ? tr("Goal, reached:") : tr("Goal:")} ` }), ...runs(text))),
       reached && praise.length ? make("p", {}, ...runs(praise)) : null);
   }
 
   end() {
     return make("p", { className: "buttons" },
-      this.button("Export this as a plate", "plate", "plate"),
-      this.button("Save my answers", "answers", "answers", "text"),
-      this.button("… as JSON", "answers json", "answers", "json"),
-      this.button("Begin again", "again", "again"));
+      this.button(tr("Export this as a plate"), "plate", "plate"),
+      this.button(tr("Save my answers"), "answers", "answers", "text"),
+      this.button(tr("… as JSON"), "answers json", "answers", "json"),
+      this.button(tr("Begin again"), "again", "again"));
   }
 
   // The controls that the step opens, to be turned here as well as in the picture.
   controlsHome(ids) {
     this.ids = ids;
     this.fields.clear();
-    this.panel = ids.length ? make("fieldset", { className: "open-controls" }, make("legend", { textContent: this.words("Controls") })) : null;
+    this.panel = ids.length ? make("fieldset", { className: "open-controls" }, make("legend", { textContent: tr("Controls") })) : null;
     return this.panel;
   }
 
@@ -256,7 +256,7 @@ export class LessonPane {
       const control = all.get(id);
       if (!control) continue;
       if (!this.fields.has(id)) {
-        const field = this.field_(control);
+        const field = this.makeField(control);
         this.fields.set(id, field);
         this.panel.append(field.element);
       }
@@ -264,7 +264,7 @@ export class LessonPane {
     }
   }
 
-  field_({ id, label, kind, step, range, options }) {
+  makeField({ id, label, kind, step, range, options, shown }) {
     const named = (element, part) => {
       element.dataset.key = `control ${id} ${part}`;
       return element;
@@ -272,10 +272,10 @@ export class LessonPane {
     if (kind === "command") {
       const element = make("button", { type: "button", textContent: label });
       element.addEventListener("click", () => this.set(id, ""));
-      return { element: named(element, ""), show: () => {} };
+      return { element: named(element, "box"), show: ({ locked }) => { element.disabled = Boolean(locked); } };
     }
     const box = kind === "choice"
-      ? make("select", {}, ...options.map((text) => make("option", { textContent: text, value: text })))
+      ? make("select", {}, ...options.map((value, k) => make("option", { textContent: shown?.[k] ?? value, value })))
       : make("input", { type: { number: "text", toggle: "checkbox", colour: "color", text: "text" }[kind] });
     named(box, "box");
     let slider = null;
@@ -308,6 +308,7 @@ export class LessonPane {
       }
       if (kind === "toggle") box.checked = value === "on";
       else if (box.dataset.shown !== value || document.activeElement !== box) box.value = value;
+      if (kind === "choice" && box.value !== value) box.selectedIndex = -1;
       box.dataset.shown = value;
       if (kind === "number") box.setAttribute("aria-valuenow", value);
     };

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Fetches the program, packed by gzip, and compiles it while it comes in. `onBytes(loaded, total)`.
+// Fetches the program, packed by gzip, and compiles it while it comes in. `onBytes(loaded, total)`;
+// `tr` says texts in the language of the page (words.mjs).
 
-export async function compileProgram(address, total, onBytes) {
+export async function compileProgram(address, total, onBytes, tr) {
   const response = await fetch(address);
-  if (!response.ok) throw new Error(`${address.pathname}: the server answers ${response.status}`);
+  if (!response.ok) throw new Error(tr("{1}: the server answers {2}", address.pathname, response.status));
   let loaded = 0;
   const counted = response.body.pipeThrough(
     new TransformStream({

@@ -7,6 +7,7 @@ import { LessonPane } from "./lesson.mjs";
 import { compileProgram, instantiation } from "./load.mjs";
 import { filmOf, makesFilms } from "./film.mjs";
 import { Export, Pictures } from "./tasks.mjs";
+import { firstLanguage, sayBy, speak, tr } from "./words.mjs";
 
 const byId = (id) => document.getElementById(id);
 const canvas = byId("canvas");
@@ -21,7 +22,7 @@ const call = (name, returns, ...texts) =>
 function showBytes(loaded, total) {
   byId("progress").value = loaded / total;
   const kilobytes = (bytes) => Math.round(bytes / 1024);
-  byId("loaded").textContent = `${kilobytes(loaded)} of ${kilobytes(total)} kB`;
+  byId("loaded").textContent = tr("{1} of {2} kB", kilobytes(loaded), kilobytes(total));
 }
 
 // Frames
@@ -68,7 +69,7 @@ function deliverPicture(request, { bytes, message = "", seconds = 0, members = 0
   if (fits) studio.HEAPU8.set(bytes, begin);
   // Of an averaged map there may be no picture yet.
   const lost = !fits && !(members > 0 && bytes?.length === 0);
-  call("page_picture_end", null, lost ? message || "the picture did not arrive" : message);
+  call("page_picture_end", null, lost ? message || tr("the picture did not arrive") : message);
   wake();
 }
 
@@ -83,14 +84,14 @@ async function endExport(name, { bytes, message }, copy) {
         wake();
       });
     } catch (error) {
-      [bytes, message] = [undefined, `the browser did not record the film: ${error.message ?? error}`];
+      [bytes, message] = [undefined, tr("the browser did not record the film: {1}", error.message ?? error)];
     }
     if (film !== mine) return;
   }
   if (bytes && !copy) download(name, bytes);
-  const where = bytes && copy ? await copyPicture(name, bytes) : `${name}, among your downloads`;
+  const where = bytes && copy ? await copyPicture(name, bytes) : tr("{1}, among your downloads", name);
   studio.ccall("page_export_end", null, ["number", "string"],
-    [bytes ? 1 : 0, bytes ? where : message || "nothing arrived"]);
+    [bytes ? 1 : 0, bytes ? where : message || tr("nothing arrived")]);
   wake();
 }
 
@@ -98,7 +99,7 @@ async function endExport(name, { bytes, message }, copy) {
 
 function openFragment(fragment) {
   const message = call("page_open_fragment", "string", fragment);
-  if (message) showMessage(`The link does not open: ${message}`);
+  if (message) showMessage(tr("The link does not open: {1}", message));
   else hideMessage();
   wake();
 }
@@ -109,11 +110,11 @@ async function openFile(file) {
   if (!file) return;
   let message = "";
   if (file.size > largest) {
-    message = `${file.name}: ${file.size} bytes are too many; ${largest} may be opened`;
+    message = tr("{1}: {2} bytes are too many; {3} may be opened", file.name, file.size, largest);
   } else {
     const bytes = new Uint8Array(await file.arrayBuffer());
     const pointer = studio._malloc(bytes.length || 1);
-    if (pointer === 0) return showMessage(`${file.name}: there is not enough memory`);
+    if (pointer === 0) return showMessage(tr("{1}: there is not enough memory", file.name));
     studio.HEAPU8.set(bytes, pointer);
     message = studio.ccall("page_open", "string", ["string", "number", "number"],
       [file.name, pointer, bytes.length]);
@@ -121,7 +122,7 @@ async function openFile(file) {
   }
   if (message) return showMessage(message);
   hideMessage();
-  announce(`${file.name} is open`);
+  announce(tr("{1} is open", file.name));
   wake();
 }
 
@@ -146,7 +147,7 @@ function listenToFiles() {
     // A link or a scene opens, but not while somebody writes.
     const link = text.trim().match(/^(?:\S*#)?(v1:\S+)$/);
     if (!studio._page_typing() && link) openFragment(link[1]);
-    else if (!studio._page_typing() && /^\s*\{/.test(text)) openFile(new File([text], "the pasted scene"));
+    else if (!studio._page_typing() && /^\s*\{/.test(text)) openFile(new File([text], tr("the pasted scene")));
     else call("page_paste", null, text);
     wake();
   });
@@ -196,10 +197,10 @@ const partOf = (root, name) => new URL(`${name}?build=${meta("versorium-build")}
 async function begin() {
   const { root, size, threads } = programHere();
   const [program, { default: create }] = await Promise.all([
-    compileProgram(partOf(root, "versorium_studio.packed"), size, showBytes),
+    compileProgram(partOf(root, "versorium_studio.packed"), size, showBytes, tr),
     import(partOf(root, "versorium_studio.mjs")),
   ]);
-  byId("loaded").textContent = "Starting …";
+  byId("loaded").textContent = tr("Starting …");
   const address = new Address(openFragment);
   const start = { program, root: root.href, build: meta("versorium-build"), threads };
   pictures = new Pictures(start, deliverPicture);
@@ -211,7 +212,7 @@ async function begin() {
   module = await create({
     page, threads: 0, instantiateWasm: instantiation(program),
     locateFile: (name) => partOf(root, name).href,
-    onAbort: (what) => showMessage(`The program stopped: ${what}. Load the page again.`),
+    onAbort: (what) => showMessage(tr("The program stopped: {1}. Load the page again.", what)),
   });
   exports = new Export(start, {
     onProgress: (progress) => { module._page_export_progress(progress); wake(); },
@@ -219,6 +220,7 @@ async function begin() {
   });
   const graphics = module._page_start(/Mac|iP(hone|ad|od)/.test(navigator.platform) ? 1 : 0);
   studio = module;
+  sayBy((english) => call("page_tr", "string", english));
   const keys = listen(canvas, studio, wake, () => byId("file").click());
   const set = (id, value) => {
     const taken = call("page_set_control", "number", id, value) === 1;
@@ -250,7 +252,7 @@ async function begin() {
   canvas.focus({ preventScroll: true });
   if (location.hash.length > 1) openFragment(location.hash.slice(1));
   if (!graphics)
-    showMessage("This browser gives no WebGL 2: the processor draws, and everything is slower.");
+    showMessage(tr("This browser gives no WebGL 2: the processor draws, and everything is slower."));
   window.versorium = {
     get framesDrawn() { return studio._page_frames_drawn(); },
     get picturesTaken() { return studio._page_pictures_taken(); },
@@ -273,14 +275,15 @@ function keepForLater() {
   // The first one that comes brings nothing new.
   let before = navigator.serviceWorker.controller;
   navigator.serviceWorker.addEventListener("controllerchange", () => {
-    if (before) showMessage("There is a new version of this page: load it again to have it.");
+    if (before) showMessage(tr("There is a new version of this page: load it again to have it."));
     before = navigator.serviceWorker.controller;
   });
   navigator.serviceWorker.register(new URL("service_worker.js", here)).catch(() => {});
 }
 
+speak(firstLanguage());
 begin().then(keepForLater, (error) => {
   byId("loading").remove();
   document.documentElement.dataset.state = "failed";
-  showMessage(`Versorium did not start: ${error.message ?? error}`);
+  showMessage(tr("Versorium did not start: {1}", error.message ?? error));
 });
