@@ -42,9 +42,8 @@ std::vector<double> orbitValues(const Workspace& workspace) {
     const Scene scene = orbitScene(workspace);
     const std::optional<OrbitProgram> program = bound(scene);
     if (!program) return {};
-    const double start[3] = {scene.slice.centre[0], 0, 0};
     std::vector<double> values;
-    for (const auto& state : orbitOf(*program, start, workspace.orbitSteps))
+    for (const auto& state : orbitOf(*program, scene.slice.centre.data(), workspace.orbitSteps))
         if (std::isfinite(state[0])) values.push_back(state[0]);
     return values;
 }
@@ -98,7 +97,14 @@ LinePlot webOf(const Workspace& workspace) {
 
 void makeDiagram(const Workspace& workspace, PlatePanel& panel, Json& assets) {
     const Workspace::Diagram diagram = diagramOf(workspace);
-    const Scene scene = diagramScene(workspace);
+    Scene scene = diagramScene(workspace);
+    if (scene.criticalStart) {
+        // No axis may run through a start that is solved for.
+        scene.slice = {};
+        scene.slice.axes.push_back({{{diagram.number, 1.0}}});
+        scene.slice.centre.push_back(sharedNumber(workspace, diagram.number));
+        scene.slice.centreLow.push_back(0);
+    }
     panel.kind = PanelKind::diagram;
     panel.scene = withoutAssets(sceneToJson(scene), assets);
     panel.diagram.parameter = diagram.number;

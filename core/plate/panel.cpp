@@ -89,8 +89,8 @@ class Builder {
                 std::vector<Point> pixels;
                 for (const Point& p : curve) pixels.push_back({dx + p.x * w, dy + (1 - p.y) * h});
                 if (!part.points) {
-                    if (part.rim) canvas.polyline(pixels, 3 * width, theme.background);
-                    canvas.polyline(pixels, part.rim ? 1.4 * width : width, part.look.colour);
+                    if (part.rim) canvas.polyline(pixels, 2.6 * width, theme.background);
+                    canvas.polyline(pixels, part.rim ? 1.5 * width : width, part.look.colour);
                     continue;
                 }
                 for (const Point& p : pixels) {
