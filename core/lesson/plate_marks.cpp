@@ -42,16 +42,22 @@ class Frame {
     bool holds(const std::array<double, 2>& p) const {
         return std::fabs(p[0] - x_) <= across_ && std::fabs(p[1] - y_) <= half_;
     }
-    // The runs of a line whose corners lie within.
+    // The parts of a line that lie within, cut where it crosses the border.
     std::vector<Curve> runs(const Curve& line) const {
-        std::vector<Curve> runs(1);
-        for (const auto& p : line) {
-            if (holds(p))
-                runs.back().push_back(p);
-            else if (!runs.back().empty())
-                runs.emplace_back();
+        std::vector<Curve> runs;
+        bool goesOn = false;
+        for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+            double from = 0, to = 1;
+            cut(line[k][0] - x_, line[k + 1][0] - line[k][0], across_, from, to);
+            cut(line[k][1] - y_, line[k + 1][1] - line[k][1], half_, from, to);
+            if (from > to) {
+                goesOn = false;
+                continue;
+            }
+            if (!goesOn || from > 0) runs.push_back({between(line[k], line[k + 1], from)});
+            runs.back().push_back(between(line[k], line[k + 1], to));
+            goesOn = to == 1;
         }
-        std::erase_if(runs, [](const Curve& run) { return run.size() < 2; });
         return runs;
     }
     Curve within(Curve points) const {
@@ -61,6 +67,22 @@ class Frame {
 
   private:
     double x_, y_, half_, across_;
+
+    // The part of a segment, from `from` to `to` of its length, where |start + t change| <= most.
+    static void cut(double start, double change, double most, double& from, double& to) {
+        if (change == 0) {
+            if (std::fabs(start) > most) from = 2;
+            return;
+        }
+        const double one = (-most - start) / change, other = (most - start) / change;
+        from = std::max(from, std::min(one, other));
+        to = std::min(to, std::max(one, other));
+    }
+    static std::array<double, 2> between(const std::array<double, 2>& a,
+                                         const std::array<double, 2>& b, double t) {
+        if (t == 1) return b;
+        return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
+    }
 };
 
 Curve orbitCurve(const Workspace& workspace) {
