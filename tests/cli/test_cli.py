@@ -658,5 +658,35 @@ class BadInput(CommandLine):
                          says="p.csv, line")
 
 
+class Lessons(CommandLine):
+    def test_all_are_listed_in_each_language(self):
+        english = self.good("lesson", "list").decode().splitlines()
+        spanish = self.good("lesson", "list", "--language", "es").decode().splitlines()
+        self.assertEqual(len(english), 8)
+        self.assertEqual([line.split()[0] for line in english], [line.split()[0] for line in spanish])
+        self.assertIn("What an orbit does", english[0])
+        self.assertIn("Qué hace una órbita", spanish[0])
+
+    def guide_example(self):
+        guide = os.path.join(os.path.dirname(__file__), "..", "..", "lessons", "README.md")
+        with open(guide, encoding="utf-8") as file:
+            text = file.read()
+        return text.split("````markdown\n")[1].split("````")[0].encode()
+
+    def test_the_guides_example_is_a_lesson(self):
+        path = self.write("my-lesson.en.md", self.guide_example())
+        self.assertIn(b"no faults", self.good("lesson", "check", path))
+        self.good("lesson", "render", path, "-o", self.path("out"), "--width", "89", "--dpi", "60")
+        self.assertEqual(os.listdir(self.path("out")), ["my-lesson-01.en.png"])
+
+    def test_faults_are_told_by_their_lines(self):
+        example = self.guide_example()
+        path = self.write("bad.en.md", example.replace(b"preset: julia", b"preset: nowhere"))
+        self.refused(DATA, "lesson", "check", path, says=("line 13", "nowhere"))
+        path = self.write("bad.en.md", example.replace(b"point: 0.71, 0.71", b"point: 0.5, 0.5"))
+        self.refused(DATA, "lesson", "check", path, says="does not reach the goal")
+        self.refused(USAGE, "lesson", "check", "no-such-lesson", says="1-orbits")
+
+
 if __name__ == "__main__":
     unittest.main()
