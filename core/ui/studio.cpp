@@ -18,6 +18,15 @@ constexpr double kProgressEvery = 0.1;  // seconds
 constexpr float kNarrow = 900;          // below this width views become tabs
 constexpr float kInspector = 330, kStrip = 150, kWebStrip = 300;
 
+// What a row of buttons may have around each label and between each two, so that all fit: as much
+// as usual, but less where words are long.
+float roomAround(const std::vector<std::string>& labels, float wide) {
+    for (const std::string& label : labels)
+        wide -= ImGui::CalcTextSize(label.c_str(), nullptr, true).x;
+    const float parts = 3 * static_cast<float>(labels.size()) - 1;
+    return std::clamp(std::floor(wide / parts), 2.0f, ImGui::GetStyle().FramePadding.x);
+}
+
 }  // namespace
 
 struct Studio::State {
@@ -225,24 +234,31 @@ void Studio::State::drawNarrow(ImVec2 low, ImVec2 size) {
     Workspace& workspace = context.workspace;
     const float bar = std::max(ImGui::GetFrameHeight(), 44 * context.scale);
     const ImVec2 button{0, bar};
-    ImGui::SetCursorScreenPos(low);
+    std::vector<std::string> labels;
     for (std::size_t k = 0; k < workspace.views.size(); ++k) {
-        if (k) ImGui::SameLine();
         std::string label = showsParameters(workspace.views[k]) ? tr("Parameters") : tr("Points");
         if (workspace.analysis()) label = k == 0 ? tr("Set") : std::to_string(k);
-        label += "##" + std::to_string(k);
-        if (ImGui::Button(label.c_str(), button)) context.mark(static_cast<int>(k));
-        explain("view tab");
+        labels.push_back(label + "##" + std::to_string(k));
     }
-    ImGui::SameLine();
-    if (ImGui::Button(sheetOpen ? tr("Close") : tr("Controls"), button)) sheetOpen = !sheetOpen;
-    explain("sheet");
-    ImGui::SameLine();
-    if (ImGui::Button(tr("Draw"), button)) chooseTool(context, Drawing::Tool::outline);
-    explain("draw shape");
-    ImGui::SameLine();
-    if (ImGui::Button(tr("Undo"), button)) context.undo();
-    explain("undo");
+    for (const char* label : {sheetOpen ? tr("Close") : tr("Controls"), tr("Draw"), tr("Undo")})
+        labels.emplace_back(label);
+    const float room = roomAround(labels, size.x);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {room, ImGui::GetStyle().FramePadding.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {room, ImGui::GetStyle().ItemSpacing.y});
+    ImGui::SetCursorScreenPos(low);
+    std::size_t next = 0;
+    const auto pressed = [&](const char* control) {
+        if (next > 0) ImGui::SameLine();
+        const bool now = ImGui::Button(labels[next++].c_str(), button);
+        explain(control);
+        return now;
+    };
+    for (std::size_t k = 0; k < workspace.views.size(); ++k)
+        if (pressed("view tab")) context.mark(static_cast<int>(k));
+    if (pressed("sheet")) sheetOpen = !sheetOpen;
+    if (pressed("draw shape")) chooseTool(context, Drawing::Tool::outline);
+    if (pressed("undo")) context.undo();
+    ImGui::PopStyleVar(2);
     const float sheet = sheetOpen ? size.y * 0.48f : 0;
     const float status = 2 * ImGui::GetTextLineHeight() + 8;
     drawView(context, workspace.focused, {low.x, low.y + bar + 6},

@@ -70,7 +70,7 @@ EXEMPT = {"layer", "what", "value", "Versorium", "star(5, 0.9, 0.45)", "Mark vie
 ROOMS = "base colour dynamics gpu io render scene shape trace ui workspace".split()
 MESSAGES = {"Status::usage": 0, "Status::data": 0, "Status::inputOutput": 0, "fail": -1, "say": -1}
 OF_THE_COMMAND_LINE = re.compile(r"--set|averaged map|ensemble varies nothing")
-# Names may be said otherwise in a language, or stay.
+# Names, and formulas in words, may be said otherwise in a language, or stay.
 LISTS = {"roots", "poles"}
 MAY = ["lessons/presets/*.json", "lessons/animations/*.json", "lessons/plates/*.json"]
 
@@ -265,6 +265,8 @@ def read_tables(found, root):
                 for text in said:
                     found.add(text, f"{path.relative_to(root)}:{line_of(code, match.start())}")
     found.may.update(LISTS)
+    for path in sorted(root.glob("core/maps/*.h")):
+        found.may.update(re.findall(r'\.formula = "([^"]*)"', path.read_text(encoding="utf-8")))
     for pattern in MAY:
         found.may.update(path.stem for path in root.glob(pattern))
     for path in sorted(root.glob("core/colour/*.cpp")):
