@@ -44,7 +44,7 @@ NAMES = {
     "toolButton": [2], "radio": [1], "button": [1], "either": [3], "dragged": [1], "step": [1],
     "choose": [1], "chooseName": [1], "chosenShape": [1], "shapeText": [1], "colourField": [2],
     "chooseMore": [2], "numberBox": [1], "more": [0], "whole": [0, 1, 3], "real": [0, 1, 3],
-    "wholeField": [1], "realField": [1], "number": [0], "run": [0], "GetID": [0], "BeginPopup": [0],
+    "wholeField": [1], "realField": [1], "number": [0], "run": [0], "pressed": [0], "GetID": [0], "BeginPopup": [0],
 }
 # Raw widgets: a literal with letters in the place is a fault.
 RAW = {
