@@ -110,7 +110,6 @@ Status followTeacherLink(StudioContext& context, const TeacherLink& link) {
         context.open(*link.view);
     }
     context.teacher = link;
-    if (!link.view && link.lesson.empty()) context.teacher->view = context.workspace;
     permit(context);
     return {};
 }
