@@ -11,9 +11,9 @@ namespace versorium {
 namespace {
 
 // What changes nothing of the state is nobody's to lock.
-constexpr const char* kFree[] = {"theme",  "language",     "renderer",
-                                 "export", "begin export", "cancel export",
-                                 "marked", "maximised",    "lesson step"};
+constexpr const char* kFree[] = {"theme",        "language",      "renderer", "export",
+                                 "begin export", "cancel export", "marked",   "maximised",
+                                 "lesson step",  "teacher reset"};
 
 // Parts of the workspace that no control holds whole.
 void takeWholes(StudioContext& context, const Workspace& wanted) {

@@ -65,7 +65,8 @@ TABLES = [
 ]
 # Not shown, or the same everywhere.
 EXEMPT = {"layer", "what", "value", "Versorium", "star(5, 0.9, 0.45)", "Mark view ", "the CPU draws this: ",
-          "begin export", "cancel export", "lesson step"}
+          "begin export", "cancel export", "lesson step", "teacher reset", "view tab", "strip tab",
+          "draw shape"}
 # Rooms whose messages the studio shows by trMessage(), and the functions that make them, with the
 # place of the message from the end. What the command line alone asks for is left out.
 ROOMS = "base colour dynamics gpu io render scene shape trace ui workspace".split()
