@@ -158,6 +158,10 @@ Expected<std::string> teacherLinkText(const TeacherLink& link) {
     return text;
 }
 
+std::string lessonLink(const std::string& lesson, std::size_t step) {
+    return "lesson=" + encoded(lesson) + (step > 0 ? "&step=" + std::to_string(step + 1) : "");
+}
+
 Expected<TeacherLink> parseTeacherLink(const std::string& fragment) {
     if (fragment.size() > kMostBytes) return Status::data("the link is too long");
     TeacherLink link;

@@ -40,6 +40,8 @@ struct TeacherLink {
 bool isTeacherLink(const std::string& fragment);
 // ErrorKind::usage where the view is too large for a link.
 Expected<std::string> teacherLinkText(const TeacherLink& link);
+// A step of a lesson, from 0, with nothing locked.
+std::string lessonLink(const std::string& lesson, std::size_t step);
 // ErrorKind::data names what it cannot read.
 Expected<TeacherLink> parseTeacherLink(const std::string& fragment);
 // A page's element that shows the studio at this address, for a web page or a learning platform.

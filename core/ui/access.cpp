@@ -11,9 +11,9 @@ namespace versorium {
 namespace {
 
 // What changes nothing of the state is nobody's to lock.
-constexpr const char* kFree[] = {"theme",  "language",     "renderer",
-                                 "export", "begin export", "cancel export",
-                                 "marked", "maximised",    "lesson step"};
+constexpr const char* kFree[] = {"theme",        "language",      "renderer", "export",
+                                 "begin export", "cancel export", "marked",   "maximised",
+                                 "lesson step",  "teacher reset"};
 
 // Parts of the workspace that no control holds whole.
 void takeWholes(StudioContext& context, const Workspace& wanted) {
@@ -110,7 +110,6 @@ Status followTeacherLink(StudioContext& context, const TeacherLink& link) {
         context.open(*link.view);
     }
     context.teacher = link;
-    if (!link.view && link.lesson.empty()) context.teacher->view = context.workspace;
     permit(context);
     return {};
 }

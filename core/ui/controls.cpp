@@ -466,6 +466,8 @@ void collectLessons(StudioContext& context, ControlList& all) {
                                 : std::string();
     all.choice("lesson", "open a lesson", now, lessonIds(),
                [c](const std::string& id) { c->report(openLesson(*c, id, {})); });
+    if (context.teacher && context.teacher->view)
+        all.command("teacher reset", "Reset to the teacher's view", "", [c] { resetStep(*c); });
     if (!context.lessons.now) return;
     const auto count = static_cast<double>(context.lessons.now->left.size());
     all.number("lesson step", "step of the lesson",

@@ -142,7 +142,7 @@ std::vector<Command> formulaCommands(StudioContext& context, const std::string& 
     std::vector<Command> all;
     const std::string typed = trimmed(question);
     if (looksLikeFormula(typed) && FormulaMap::make(typed))
-        all.push_back({question, "",
+        all.push_back({"Formula: " + question, "",
                        [c, typed] {
                            c->formula.open = true;
                            c->report(applyFormula(*c, typed));
@@ -150,7 +150,8 @@ std::vector<Command> formulaCommands(StudioContext& context, const std::string& 
                        tr("Formula: {1}", {question})});
     all.push_back({"Type a formula of your own", "", [c] { editFormula(*c); }});
     for (const SavedFormula& one : context.formulas.all())
-        all.push_back({one.name, "", [c, text = one.text] { c->report(applyFormula(*c, text)); },
+        all.push_back({"Formula: " + one.name, "",
+                       [c, text = one.text] { c->report(applyFormula(*c, text)); },
                        tr("Formula: {1}", {one.name + "  (" + one.text + ")"})});
     return all;
 }

@@ -335,7 +335,7 @@ void drawInspector(StudioContext& context) {
     const MapInfo& shown = mapOf(workspace.views[0]).info;
     if (!workspace.views[0].formula) {
         ImGui::PushTextWrapPos();
-        ImGui::TextUnformatted(shown.formula.data(), shown.formula.data() + shown.formula.size());
+        ImGui::TextUnformatted(tr(shown.formula).c_str());
         ImGui::PopTextWrapPos();
         explainBy(shown.source);
     }

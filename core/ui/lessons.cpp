@@ -140,6 +140,10 @@ void goToStep(StudioContext& context, std::size_t step) {
 }
 
 void resetStep(StudioContext& context) {
+    if (!context.lessons.now && context.teacher && context.teacher->view) {
+        context.openStage(*context.teacher->view);
+        return context.say("The view is as the teacher set it up");
+    }
     if (!context.lessons.now) return;
     showState(context, context.lessons.now->session.step().stage);
     context.say("The step is as the teacher set it up");

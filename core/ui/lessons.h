@@ -63,7 +63,7 @@ void translateLesson(StudioContext& context);
 void leaveStep(StudioContext& context);
 void backToStep(StudioContext& context);
 void goToStep(StudioContext& context, std::size_t step);
-// The teacher's state of the step.
+// The teacher's state of the step, or of the view that a teacher's link opened.
 void resetStep(StudioContext& context);
 void beginLessonAgain(StudioContext& context);
 

@@ -131,7 +131,7 @@ bool numberField(StudioContext& context, const std::string& name, const std::str
     explainBy(look.help);
     const char* format = look.whole ? "%.0f" : "%.6g";
     if (look.slider) {
-        const float begin = left + letter * 6.8f;
+        const float begin = left + std::max(letter * 6.8f, ImGui::GetItemRectSize().x + gap);
         ImGui::SameLine();
         ImGui::SetCursorPosX(begin);
         ImGui::SetNextItemWidth(std::max(letter, right - buttons - box - gap - begin));

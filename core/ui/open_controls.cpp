@@ -102,6 +102,10 @@ bool drawOpenControls(StudioContext& context) {
     ImGui::PushTextWrapPos();
     ImGui::TextDisabled("%s", std::string(info.formula).c_str());
     ImGui::PopTextWrapPos();
+    if (!context.lessons.now && context.teacher && context.teacher->view) {
+        if (ImGui::Button(tr("Reset"))) resetStep(context);
+        explain("reset step");
+    }
     std::string group;
     for (const Control& control : controlsOf(context)) {
         const bool shown = restricted ? control.kind != ControlKind::command || !control.locked

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "io/document.h"
 #include "ui/context.h"
@@ -17,6 +18,17 @@ constexpr double kQuiet = 0.4;          // seconds without a change before it is
 constexpr double kProgressEvery = 0.1;  // seconds
 constexpr float kNarrow = 900;          // below this width views become tabs
 constexpr float kInspector = 330, kStrip = 150, kWebStrip = 300, kLesson = 340;
+
+// What a row of buttons may have around each label and between each two, so that all fit: as much
+// as usual, but less where words are long.
+constexpr float kLeastRoom = 2;  // pixels
+
+float roomAround(const std::vector<std::string>& labels, float wide) {
+    for (const std::string& label : labels)
+        wide -= ImGui::CalcTextSize(label.c_str(), nullptr, true).x;
+    const float parts = 3 * static_cast<float>(labels.size()) - 1;
+    return std::clamp(std::floor(wide / parts), kLeastRoom, ImGui::GetStyle().FramePadding.x);
+}
 
 }  // namespace
 
@@ -65,11 +77,7 @@ std::string Studio::State::address() const {
     if (context.teacher) return {};
     if (context.lessons.now && context.lessons.now->own && !context.lessons.now->wandering()) {
         const LessonSession& session = context.lessons.now->session;
-        TeacherLink step;
-        step.lesson = session.lesson().id;
-        step.step = static_cast<int>(session.at());
-        const Expected<std::string> link = teacherLinkText(step);
-        return link ? *link : std::string();
+        return lessonLink(session.lesson().id, session.at());
     }
     const Expected<std::string> link = workspaceToLink(context.workspace);
     return link ? *link : std::string();
@@ -252,55 +260,69 @@ void Studio::State::drawNarrow(ImVec2 low, ImVec2 size) {
     Workspace& workspace = context.workspace;
     const float bar = std::max(ImGui::GetFrameHeight(), 44 * context.scale);
     const ImVec2 button{0, bar};
-    ImGui::SetCursorScreenPos(low);
+    const bool controls = sheet == Sheet::controls;
+    struct Tab {
+        std::string label;
+        const char* control;
+        std::function<void()> press;
+    };
+    std::vector<Tab> looks, tools;
     for (std::size_t k = 0; k < workspace.views.size(); ++k) {
-        if (k) ImGui::SameLine();
         std::string label = showsParameters(workspace.views[k]) ? tr("Parameters") : tr("Points");
         if (workspace.analysis()) label = k == 0 ? tr("Set") : std::to_string(k);
-        label += "##" + std::to_string(k);
-        if (ImGui::Button(label.c_str(), button)) context.mark(static_cast<int>(k));
-        explain("view tab");
+        looks.push_back({label + "##" + std::to_string(k), "view tab", [this, k] {
+                             stripShown = false;
+                             context.mark(static_cast<int>(k));
+                         }});
     }
-    ImGui::SameLine();
-    if (ImGui::Button(stripShown ? tr("View") : tr("Orbit"), button)) stripShown = !stripShown;
-    explain("strip tab");
-    ImGui::SameLine();
-    const bool controls = sheet == Sheet::controls;
-    if (ImGui::Button(controls ? tr("Close") : tr("Controls"), button))
-        sheet = controls ? Sheet::none : Sheet::controls;
-    explain("sheet");
-    // A second row where there is no room for more.
-    const auto next = [&](const char* label) {
-        const float needed = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
-        ImGui::SameLine();
-        if (ImGui::GetCursorScreenPos().x + needed <= low.x + size.x) return 0.0f;
-        ImGui::SetCursorScreenPos({low.x, ImGui::GetCursorScreenPos().y + bar + 6});
-        return bar + 6;
+    looks.push_back({tr("Orbit"), "strip tab", [this] { stripShown = !stripShown; }});
+    looks.push_back({controls ? tr("Close") : tr("Controls"), "sheet",
+                     [this, controls] { sheet = controls ? Sheet::none : Sheet::controls; }});
+    tools.push_back(
+        {tr("Draw"), "draw shape", [this] { chooseTool(context, Drawing::Tool::outline); }});
+    tools.push_back({tr("Undo"), "undo", [this] { context.undo(); }});
+    tools.push_back(
+        {tr("Lessons"), "lessons", [this] { context.lessons.open = !context.lessons.open; }});
+    const auto labelsOf = [](const std::vector<Tab>& tabs) {
+        std::vector<std::string> labels;
+        for (const Tab& tab : tabs) labels.push_back(tab.label);
+        return labels;
     };
-    float rows = next(tr("Draw"));
-    if (ImGui::Button(tr("Draw"), button)) chooseTool(context, Drawing::Tool::outline);
-    explain("draw shape");
-    rows += next(tr("Undo"));
-    if (ImGui::Button(tr("Undo"), button)) context.undo();
-    explain("undo");
-    rows += next(tr("Lessons"));
-    if (ImGui::Button(tr("Lessons"), button)) context.lessons.open = !context.lessons.open;
-    explain("lessons");
+    // In one row where they fit, else in two.
+    std::vector<std::vector<Tab>> rows{looks};
+    rows[0].insert(rows[0].end(), tools.begin(), tools.end());
+    float room = roomAround(labelsOf(rows[0]), size.x);
+    if (room <= kLeastRoom) {
+        rows = {looks, tools};
+        room = roomAround(labelsOf(looks), size.x);
+    }
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {room, ImGui::GetStyle().FramePadding.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {room, ImGui::GetStyle().ItemSpacing.y});
+    float top = low.y;
+    for (const std::vector<Tab>& row : rows) {
+        ImGui::SetCursorScreenPos({low.x, top});
+        for (std::size_t k = 0; k < row.size(); ++k) {
+            if (k > 0) ImGui::SameLine();
+            if (ImGui::Button(row[k].label.c_str(), button)) row[k].press();
+            explain(row[k].control);
+        }
+        top += bar + 6;
+    }
+    ImGui::PopStyleVar(2);
     const bool lesson = context.lessons.open && !context.host.drawsLessons();
     if (lesson && !lessonWasOpen) sheet = Sheet::lesson;
     if (!lesson && sheet == Sheet::lesson) sheet = Sheet::none;
     lessonWasOpen = lesson;
     const float below = sheet != Sheet::none ? size.y * 0.48f : 0;
     const float status = 2 * ImGui::GetTextLineHeight() + 8;
-    const ImVec2 top{low.x, low.y + bar + 6 + rows};
     const ImVec2 end{low.x + size.x, low.y + size.y - below - status};
     if (stripShown) {
-        ImGui::SetCursorScreenPos(top);
-        ImGui::BeginChild("strip", {size.x, end.y - top.y}, ImGuiChildFlags_AlwaysUseWindowPadding);
+        ImGui::SetCursorScreenPos({low.x, top});
+        ImGui::BeginChild("strip", {size.x, end.y - top}, ImGuiChildFlags_AlwaysUseWindowPadding);
         drawOrbitStrip(context);
         ImGui::EndChild();
     } else {
-        drawView(context, workspace.focused, top, end);
+        drawView(context, workspace.focused, {low.x, top}, end);
     }
     ImGui::SetCursorScreenPos({low.x + 8, end.y + 4});
     ImGui::PushTextWrapPos(size.x);

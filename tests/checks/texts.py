@@ -44,7 +44,7 @@ NAMES = {
     "toolButton": [2], "radio": [1], "button": [1], "either": [3], "dragged": [1], "step": [1],
     "choose": [1], "chooseName": [1], "chosenShape": [1], "shapeText": [1], "colourField": [2],
     "chooseMore": [2], "numberBox": [1], "more": [0], "whole": [0, 1, 3], "real": [0, 1, 3],
-    "wholeField": [1], "realField": [1], "number": [0], "run": [0], "GetID": [0], "BeginPopup": [0],
+    "wholeField": [1], "realField": [1], "number": [0], "run": [0], "pressed": [0], "GetID": [0], "BeginPopup": [0],
 }
 # Raw widgets: a literal with letters in the place is a fault.
 RAW = {
@@ -65,13 +65,14 @@ TABLES = [
 ]
 # Not shown, or the same everywhere.
 EXEMPT = {"layer", "what", "value", "Versorium", "star(5, 0.9, 0.45)", "Mark view ", "the CPU draws this: ",
-          "begin export", "cancel export", "lesson step"}
+          "begin export", "cancel export", "lesson step", "teacher reset", "view tab", "strip tab",
+          "draw shape"}
 # Rooms whose messages the studio shows by trMessage(), and the functions that make them, with the
 # place of the message from the end. What the command line alone asks for is left out.
 ROOMS = "base colour dynamics gpu io render scene shape trace ui workspace".split()
 MESSAGES = {"Status::usage": 0, "Status::data": 0, "Status::inputOutput": 0, "fail": -1, "say": -1}
 OF_THE_COMMAND_LINE = re.compile(r"--set|averaged map|ensemble varies nothing")
-# Names may be said otherwise in a language, or stay.
+# Names, and formulas in words, may be said otherwise in a language, or stay.
 LISTS = {"roots", "poles"}
 MAY = ["lessons/presets/*.json", "lessons/animations/*.json", "lessons/plates/*.json"]
 
@@ -266,6 +267,8 @@ def read_tables(found, root):
                 for text in said:
                     found.add(text, f"{path.relative_to(root)}:{line_of(code, match.start())}")
     found.may.update(LISTS)
+    for path in sorted(root.glob("core/maps/*.h")):
+        found.may.update(re.findall(r'\.formula = "([^"]*)"', path.read_text(encoding="utf-8")))
     for pattern in MAY:
         found.may.update(path.stem for path in root.glob(pattern))
     for path in sorted(root.glob("core/colour/*.cpp")):
