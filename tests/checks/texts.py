@@ -71,7 +71,7 @@ ROOMS = "base colour dynamics gpu io render scene shape trace ui workspace".spli
 MESSAGES = {"Status::usage": 0, "Status::data": 0, "Status::inputOutput": 0, "fail": -1, "say": -1}
 OF_THE_COMMAND_LINE = re.compile(r"--set|averaged map|ensemble varies nothing")
 # Names, and formulas in words, may be said otherwise in a language, or stay.
-LISTS = {"roots", "poles"}
+LISTS = {"roots", "poles", "own"}
 MAY = ["lessons/presets/*.json", "lessons/animations/*.json", "lessons/plates/*.json"]
 
 
