@@ -193,11 +193,12 @@ EMSCRIPTEN_KEEPALIVE void page_paste(const char* text) { page->host.pasted(text)
 // These return why it failed, or nothing.
 EMSCRIPTEN_KEEPALIVE const char* page_open(const char* name, const unsigned char* bytes, int size) {
     page->settle = kSettle;
-    return kept(page->studio.openBytes(name, {bytes, static_cast<std::size_t>(size)}).message());
+    return kept(
+        trMessage(page->studio.openBytes(name, {bytes, static_cast<std::size_t>(size)}).message()));
 }
 EMSCRIPTEN_KEEPALIVE const char* page_open_fragment(const char* fragment) {
     page->settle = kSettle;
-    return kept(page->studio.openFragment(fragment).message());
+    return kept(trMessage(page->studio.openFragment(fragment).message()));
 }
 
 // Two fingers of a touch screen, in pixels of the canvas; 0 where they are on no view.

@@ -34,6 +34,8 @@ struct Dictionary {
 
 // What has less text than this between its places fits by chance.
 constexpr std::size_t kLeastText = 6;
+// Of parts of one message.
+constexpr int kMostLooks = 64;
 
 std::optional<std::size_t> placeAt(std::string_view text, std::size_t at) {
     if (at + 2 >= text.size() || text[at] != '{' || text[at + 2] != '}') return {};
@@ -130,7 +132,9 @@ struct Said {
     std::size_t length = 0;
 };
 
-Said saidBest(std::string_view english) {
+// `looks` bounds the work, whatever a message repeats.
+Said saidBest(std::string_view english, int& looks) {
+    if (english.empty() || --looks < 0) return {std::string(english)};
     if (const std::string* other = find(english)) return {*other, english.size()};
     Said best{std::string(english)};
     for (const Sentence& sentence : now.dictionary->sentences) {
@@ -138,7 +142,8 @@ Said saidBest(std::string_view english) {
         if (!values) continue;
         std::size_t length = sentence.length;
         for (std::string& value : *values) {
-            Said said = saidBest(value);  // of a shorter text
+            if (value.find(' ') == std::string::npos) continue;  // a name, or a number
+            Said said = saidBest(value, looks);
             value = std::move(said.text);
             length += said.length;
         }
@@ -147,7 +152,7 @@ Said saidBest(std::string_view english) {
     // "where: what".
     const std::size_t colon = english.find(": ");
     if (colon == std::string_view::npos) return best;
-    const Said what = saidBest(english.substr(colon + 2));
+    const Said what = saidBest(english.substr(colon + 2), looks);
     if (what.length <= best.length) return best;
     return {std::string(english.substr(0, colon + 2)) + what.text, what.length};
 }
@@ -189,7 +194,8 @@ std::string tr(const char* english, std::initializer_list<std::string> values) {
 }
 
 std::string trMessage(std::string_view english) {
-    return now.dictionary ? saidBest(english).text : std::string(english);
+    int looks = kMostLooks;
+    return now.dictionary ? saidBest(english, looks).text : std::string(english);
 }
 
 std::string withDecimalSign(std::string number) {

@@ -66,7 +66,7 @@ Expected<std::string> teacherAddress(StudioContext& context) {
     link.step = lesson ? static_cast<int>(context.lessons.now->session.at()) : 0;
     link.byStep = link.byStep && lesson;
     link.view.reset();
-    if (!lesson) link.view = context.workspace;
+    if (!lesson) link.view.emplace(context.workspace);
     const std::string address = context.host.publicAddress();
     if (address.empty())
         return Status::usage(

@@ -237,6 +237,32 @@ const tests = {
     await page.context().close();
   },
 
+  async "the page speaks the browser's language, and another one from one moment to the next"(browser) {
+    const page = await open(browser, { locale: "es-ES" });
+    const spoken = (language) => waitFor(page, (wanted) => document.documentElement.lang === wanted, language);
+    const value = () => page.evaluate(() =>
+      JSON.parse(versorium.controls()).controls.find(({ id }) => id === "c.re").value);
+    await spoken("es");
+    await waitFor(page, () => document.querySelector('[data-id="do Undo"]')?.textContent === "Deshacer");
+    assert.equal(await page.textContent("#open"), "Abrir un archivo");
+    assert.match(await page.inputValue('[data-id="c.re"] input'), /^-?0,\d+$/);
+    await page.focus('[data-id="c.re"] input');
+    await page.keyboard.press("Control+a");
+    await page.keyboard.type("-0,125");
+    await page.keyboard.press("Enter");
+    assert.equal(await value(), "-0.125");
+    await page.evaluate(() => versorium.set("language", "en"));
+    await spoken("en");
+    await waitFor(page, () => document.querySelector('[data-id="do Undo"]')?.textContent === "Undo");
+    assert.equal(await page.textContent("#open"), "Open a file");
+    assert.equal(await page.inputValue('[data-id="c.re"] input'), "-0.125");
+    await page.reload();
+    await ready(page);
+    await spoken("en"); // what was chosen stays
+    assert.deepEqual(page.faults, []);
+    await page.context().close();
+  },
+
   async "without WebGL 2 the processor draws the same picture, and the page says so"(browser) {
     const plain = await launch("--disable-3d-apis", "--disable-gpu");
     const shots = [];

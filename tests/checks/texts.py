@@ -73,7 +73,13 @@ ROOMS = "base colour dynamics gpu io render scene shape trace ui workspace".spli
 MESSAGES = {"Status::usage": 0, "Status::data": 0, "Status::inputOutput": 0, "fail": -1, "say": -1}
 OF_THE_COMMAND_LINE = re.compile(r"--set|averaged map|ensemble varies nothing")
 # Names, and formulas in words, may be said otherwise in a language, or stay.
-LISTS = {"roots", "poles"}
+LISTS = {"roots", "poles", "own"}
+# Messages that are put together in other ways, by the system or by the page's workers.
+OTHERS = {
+    "cannot read {1}: {2}", "cannot write {1}: {2}", "No such file or directory", "Permission denied",
+    "Is a directory", "{1} (the clipboard of this window takes only text)",
+    "the browser did not take the file", "the worker stopped", "the computation stopped: {1}",
+}
 MAY = ["lessons/presets/*.json", "lessons/animations/*.json", "lessons/plates/*.json"]
 
 
@@ -266,7 +272,7 @@ def read_tables(found, root):
                     said = [t for t, _ in literals(*arguments(code, match.end())[0])]
                 for text in said:
                     found.add(text, f"{path.relative_to(root)}:{line_of(code, match.start())}")
-    found.may.update(LISTS)
+    found.may.update(LISTS | OTHERS)
     for path in sorted(root.glob("core/maps/*.h")):
         found.may.update(re.findall(r'\.formula = "([^"]*)"', path.read_text(encoding="utf-8")))
     for pattern in MAY:

@@ -67,6 +67,13 @@ TEST(Language, MessagesThatWerePutTogetherElsewhereAreSaid) {
               "a.json: Esta aplicación no tiene raíces");
     EXPECT_EQ(trMessage("none of these words"), "none of these words");
     EXPECT_EQ(trMessage(""), "");
+    // But names are names.
+    EXPECT_EQ(trMessage("no palette is called \"fire\"; there are: dusk, gold"),
+              "ninguna paleta se llama «fire»; hay: dusk, gold");
+    // However long and repetitive, as foreign files may make them, it takes a moment.
+    std::string foreign;
+    for (int k = 0; k < 3000; ++k) foreign += "a from b to c: ";
+    EXPECT_FALSE(trMessage(foreign + "5 roots").empty());
     // What stands in a place is a message as well.
     EXPECT_EQ(trMessage("Exported: the clipboard"), "Exportado: el portapapeles");
 }
