@@ -17,6 +17,8 @@
 #include "io/document.h"
 #include "io/files.h"
 #include "io/png.h"
+#include "lesson/lesson.h"
+#include "lesson/teacher_link.h"
 #include "settings.h"
 #include "ui/studio.h"
 
@@ -105,15 +107,20 @@ class WindowHost final : public Host {
 };
 
 Status openInto(Studio& studio, const std::string& what) {
-    const std::size_t hash = what.find("#v1:");
-    if (hash != std::string::npos) return studio.openFragment(what.substr(hash + 1));
-    if (what.rfind("v1:", 0) == 0) return studio.openFragment(what);
+    const std::string fragment =
+        what.substr(what.find('#') + 1);  // all of it where there is no '#'
+    if (fragment.starts_with("v1:") || isTeacherLink(fragment))
+        return studio.openFragment(fragment);
+    const std::vector<std::string> lessons = lessonIds();
+    if (std::find(lessons.begin(), lessons.end(), what) != lessons.end())
+        return studio.openLesson(what, {});
     const std::vector<std::string> names = presetNames();
     if (std::find(names.begin(), names.end(), what) != names.end()) return studio.openPreset(what);
     const Expected<Bytes> bytes = readFile(what, kOpenBytes);
     if (!bytes && looksLikeFormula(what) && FormulaMap::make(what)) return studio.openFormula(what);
     if (!bytes)
-        return bytes.status().in("\"" + what + "\" is no preset, and as a file it does not open");
+        return bytes.status().in("\"" + what +
+                                 "\" is no preset and no lesson, and as a file it does not open");
     return studio.openBytes(what, *bytes);
 }
 

@@ -56,7 +56,7 @@ struct Studio::State {
     void animate();
     void drawViews(ImVec2 low, ImVec2 high);
     void drawStatus();
-    void drawRenderer(float right);
+    float drawRenderer(float right);
     void drawWide(ImVec2 low, ImVec2 size);
     void drawNarrow(ImVec2 low, ImVec2 size);
 };
@@ -184,8 +184,9 @@ void Studio::State::drawStatus() {
     ImGui::TextDisabled("%s", tr("Ctrl K finds every command, ? lists their keys"));
 }
 
-// Who draws the focused view, with which precision and why; a click chooses.
-void Studio::State::drawRenderer(float right) {
+// Who draws the focused view, with which precision and why; a click chooses. Returns where it
+// begins.
+float Studio::State::drawRenderer(float right) {
     const LivePicture& picture =
         context.views[static_cast<std::size_t>(context.workspace.focused)].picture;
     std::string text = picture.onGraphicsProcessor() ? tr("Graphics processor, 32 bits")
@@ -198,8 +199,8 @@ void Studio::State::drawRenderer(float right) {
         text += tr(", compiling …");
     else if (!picture.finished())
         text += tr(", refining …");
-    ImGui::SetCursorScreenPos(
-        {right - ImGui::CalcTextSize(text.c_str()).x, ImGui::GetCursorScreenPos().y});
+    const float left = right - ImGui::CalcTextSize(text.c_str()).x;
+    ImGui::SetCursorScreenPos({left, ImGui::GetCursorScreenPos().y});
     ImGui::TextDisabled("%s", text.c_str());
     if (ImGui::IsItemClicked()) ImGui::OpenPopup("renderer");
     if (!ImGui::IsPopupOpen("renderer") && ImGui::IsItemHovered()) {
@@ -213,7 +214,7 @@ void Studio::State::drawRenderer(float right) {
         ImGui::PopTextWrapPos();
         ImGui::EndTooltip();
     }
-    if (!ImGui::BeginPopup("renderer")) return;
+    if (!ImGui::BeginPopup("renderer")) return left;
     const std::pair<RendererChoice, const char*> choices[] = {
         {RendererChoice::automatic, tr("Automatic")},
         {RendererChoice::graphics, tr("Graphics processor, where 32 bits suffice")},
@@ -221,6 +222,7 @@ void Studio::State::drawRenderer(float right) {
     for (const auto& [choice, name] : choices)
         if (ImGui::MenuItem(name, nullptr, context.renderer == choice)) context.choose(choice);
     ImGui::EndPopup();
+    return left;
 }
 
 void Studio::State::drawWide(ImVec2 low, ImVec2 size) {
@@ -246,10 +248,12 @@ void Studio::State::drawWide(ImVec2 low, ImVec2 size) {
     ImGui::BeginChild("strip", {left, strip}, ImGuiChildFlags_AlwaysUseWindowPadding);
     drawOrbitStrip(context);
     ImGui::EndChild();
-    ImGui::SetCursorScreenPos({low.x + 8, low.y + size.y - bar + 4});
-    drawStatus();
     ImGui::SetCursorScreenPos({low.x, low.y + size.y - bar + 4});
-    drawRenderer(low.x + left - 8);
+    const float end = drawRenderer(low.x + left - 8) - 12 * context.scale;
+    ImGui::SetCursorScreenPos({low.x + 8, low.y + size.y - bar + 4});
+    ImGui::PushClipRect(low, {end, low.y + size.y}, true);
+    drawStatus();
+    ImGui::PopClipRect();
     ImGui::SetCursorScreenPos({low.x + size.x - inspector, low.y});
     ImGui::BeginChild("inspector", {inspector, size.y}, ImGuiChildFlags_AlwaysUseWindowPadding);
     if (!drawOpenControls(context)) drawInspector(context);
@@ -441,7 +445,7 @@ Status Studio::openFragment(const std::string& fragment) {
 
 std::string Studio::fragment() const { return state_->address(); }
 
-Status Studio::openLesson(const std::string& id, std::size_t step) {
+Status Studio::openLesson(const std::string& id, std::optional<std::size_t> step) {
     return versorium::openLesson(state_->context, id, step);
 }
 std::string Studio::lessonRing() const { return ringAnswer(state_->context); }

@@ -4,6 +4,7 @@
 // its back ends, calls prepare() once, then frame() between ImGui::NewFrame and ImGui::Render.
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -41,8 +42,8 @@ class Studio {
     // The part of a link behind the '#', checked like any foreign input: a view, or what a teacher
     // hands out (lesson/teacher_link.h).
     Status openFragment(const std::string& fragment);
-    // One of the program's lessons, at a step from 0.
-    Status openLesson(const std::string& id, std::size_t step);
+    // One of the program's lessons, at a step from 0, or where the learner left it.
+    Status openLesson(const std::string& id, std::optional<std::size_t> step);
     std::string fragment() const;
 
     // What can be set and done, for controls outside of the window: ui/controls.h.

@@ -6,13 +6,14 @@ namespace versorium {
 
 void addStudioCommand(CommandLine& line) {
     line.action = [] { return runStudio({}); };
-    CLI::App* command =
-        line.add("studio", "Opens the studio, the window to explore in",
-                 "versorium studio\nversorium studio julia\nversorium studio "
-                 "figure.png\nversorium studio '#v1:…'\nversorium studio 'z^3 - a*z + c'");
+    CLI::App* command = line.add("studio", "Opens the studio, the window to explore in",
+                                 "versorium studio\nversorium studio julia\nversorium studio "
+                                 "figure.png\nversorium studio '#v1:…'\nversorium studio "
+                                 "3-mandelbrot\nversorium studio 'z^3 - a*z + c'");
     auto options = std::make_shared<WindowOptions>();
-    command->add_option("scene", options->open,
-                        "a preset, a scene or a PNG that carries one, a link, or a formula");
+    command->add_option(
+        "scene", options->open,
+        "a preset, a lesson, a scene or a PNG that carries one, a link, or a formula");
     command->add_option("--screenshot", options->screenshot,
                         "write the window as a PNG once its pictures are finished, and end");
     auto size = std::make_shared<std::string>("1280x800");
