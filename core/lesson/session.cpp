@@ -17,6 +17,7 @@ constexpr std::size_t kAnswerBytes = 200;
 bool LessonSession::done(std::size_t step) const {
     const LessonStep& what = lesson_.steps[step];
     const StepState& state = states_[step];
+    if (!what.question && !what.goal) return state.read;
     return (!what.question || state.right || state.revealed) && (!what.goal || state.reached);
 }
 
@@ -26,7 +27,11 @@ std::size_t LessonSession::stepsDone() const {
     return count;
 }
 
-void LessonSession::goTo(std::size_t step) { at_ = std::min(step, states_.size() - 1); }
+void LessonSession::goTo(std::size_t step) {
+    const std::size_t next = std::min(step, states_.size() - 1);
+    if (next != at_) states_[at_].read = true;
+    at_ = next;
+}
 
 Expected<Judgement> LessonSession::commit(const std::string& answer) {
     if (!step().question) return Status::usage("this step asks nothing");
@@ -95,7 +100,8 @@ Json LessonSession::progress() const {
                          {"right", state.right},
                          {"revealed", state.revealed},
                          {"hints", state.hints},
-                         {"reached", state.reached}});
+                         {"reached", state.reached},
+                         {"read", state.read}});
     return {{"lesson", lesson_.id}, {"at", static_cast<int>(at_)}, {"steps", std::move(steps)}};
 }
 
@@ -117,7 +123,8 @@ Status LessonSession::resume(const Json& progress) {
             .boolean("right", state.right)
             .boolean("revealed", state.revealed)
             .integer("hints", state.hints, 0, static_cast<int>(kMostHints))
-            .boolean("reached", state.reached);
+            .boolean("reached", state.reached)
+            .boolean("read", state.read);
         if (Status status = one.finish(); !status.ok()) return status;
         // A lesson may have been changed: what was right may not be an answer any more.
         const LessonStep& what = lesson_.steps[k];
@@ -128,7 +135,7 @@ Status LessonSession::resume(const Json& progress) {
     }
     if (Status status = reader.finish(); !status.ok()) return status;
     states_ = std::move(states);
-    goTo(static_cast<std::size_t>(at));
+    at_ = static_cast<std::size_t>(at);
     return {};
 }
 

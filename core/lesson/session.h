@@ -22,6 +22,7 @@ class LessonSession {
         bool revealed = false;
         int hints = 0;         // that are shown
         bool reached = false;  // the goal
+        bool read = false;     // another step was gone to from here
         friend bool operator==(const StepState&, const StepState&) = default;
     };
 
@@ -34,7 +35,8 @@ class LessonSession {
     const LessonStep& step() const { return lesson_.steps[at_]; }
     const StepState& state() const { return states_[at_]; }
     const StepState& state(std::size_t step) const { return states_[step]; }
-    // The question is answered or given up, and the goal is reached, where there are such.
+    // The question is answered or given up, and the goal is reached, where there are such; a step
+    // with neither is read.
     bool done(std::size_t step) const;
     std::size_t stepsDone() const;
 

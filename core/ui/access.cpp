@@ -70,7 +70,7 @@ bool isHarmless(const std::string& command) {
 bool namesControl(const MapInfo& info, const std::string& name, const std::string& id) {
     if (name == id) return true;
     if (name != "point") return id.starts_with(name + ".") || id.starts_with(name + "[");
-    for (int k = 0; k < 4; ++k)
+    for (int k = 0; k < dimensionOf(info.algebra); ++k)
         if (stateComponent(info, k) == id) return true;
     return false;
 }
