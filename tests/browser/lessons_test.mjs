@@ -110,10 +110,15 @@ const shownOption = (page, id, value) => page.evaluate(([id, value]) => {
 // Three ways to do the same few things.
 const byKeyboard = {
   async focus(page, key) {
-    for (let k = 0; k < 600; ++k) {
-      const at = await page.evaluate(() => document.activeElement?.dataset?.key ?? "");
-      if (at === key) return;
-      await page.keyboard.press("Tab");
+    for (let k = 0; k < 200; ++k) {
+      // The way to go: onwards, or back with Shift.
+      const way = await page.evaluate((key) => {
+        const active = document.activeElement, target = document.querySelector(`#lesson [data-key="${key}"]`);
+        if (active === target) return "";
+        return target && active.compareDocumentPosition(target) & Node.DOCUMENT_POSITION_PRECEDING ? "Shift+Tab" : "Tab";
+      }, key);
+      if (way === "") return;
+      await page.keyboard.press(way);
     }
     throw new Error(`Tab never comes to "${key}"`);
   },
