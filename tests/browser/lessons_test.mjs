@@ -15,8 +15,9 @@ const { browser } = await prepare(root);
 const folder = mkdtempSync(join(tmpdir(), "versorium-lessons-"));
 const every = Boolean(process.env.EVERY);
 
+const only = process.env.LESSON;
 const ids = readdirSync(join(root, "lessons")).filter((name) => name.endsWith(".en.md"))
-  .map((name) => name.slice(0, -6)).sort();
+  .map((name) => name.slice(0, -6)).sort().filter((id) => !only || id.startsWith(only));
 
 // What a step asks and how it is solved, from the lesson's own file.
 function sheetOf(id, language) {

@@ -205,7 +205,7 @@ export class LessonPane {
     if (question.said) {
       group.append(make("p", { className: question.right ? "right" : "wrong" },
         make("strong", { textContent: question.right ? `✓ ${tr("Right.")} ` : `✗ ${tr("Not yet.")} ` }),
-        `${tr("Your answer: {1}", "")}`, ...runs(question.said), ". ", ...runs(question.meaning)));
+        `${tr("Your answer: {1}", "")}`, ...runs(question.said), /[.!?…]$/.test(plain(question.said)) ? " " : ". ", ...runs(question.meaning)));
       if (step.rightAnswer) group.append(make("p", {}, `${tr("The answer: {1}", "")}`, ...runs(step.rightAnswer)));
     }
     return form;
@@ -251,7 +251,8 @@ export class LessonPane {
 
   showControls() {
     if (this.home.hidden || !this.panel || this.ids.length === 0) return;
-    const all = new Map(JSON.parse(this.controls()).controls.map((control) => [control.id, control]));
+    const { controls, decimal } = JSON.parse(this.controls());
+    const all = new Map(controls.map((control) => [control.id, control]));
     for (const id of this.ids) {
       const control = all.get(id);
       if (!control) continue;
@@ -260,7 +261,7 @@ export class LessonPane {
         this.fields.set(id, field);
         this.panel.append(field.element);
       }
-      this.fields.get(id).show(control);
+      this.fields.get(id).show(control, decimal);
     }
   }
 
@@ -292,7 +293,7 @@ export class LessonPane {
         const steps = { ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
         if (!steps) return;
         event.preventDefault();
-        write(String(Number((Number(box.value) + steps * step).toPrecision(12))));
+        write(String(Number((Number(box.value.replace(",", ".")) + steps * step).toPrecision(12))));
         this.refresh();
       });
       if (range) {
@@ -300,14 +301,15 @@ export class LessonPane {
         slider.addEventListener("input", () => write(slider.value));
       }
     }
-    const show = ({ value, locked }) => {
+    const show = ({ value, locked }, decimal) => {
+      const written = kind === "number" ? value.replace(".", decimal) : value;
       box.disabled = Boolean(locked);
       if (slider) {
         slider.disabled = Boolean(locked);
         if (document.activeElement !== slider) slider.value = value;
       }
       if (kind === "toggle") box.checked = value === "on";
-      else if (box.dataset.shown !== value || document.activeElement !== box) box.value = value;
+      else if (box.dataset.shown !== value || document.activeElement !== box) box.value = written;
       if (kind === "choice" && box.value !== value) box.selectedIndex = -1;
       box.dataset.shown = value;
       if (kind === "number") box.setAttribute("aria-valuenow", value);
