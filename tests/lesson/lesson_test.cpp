@@ -36,9 +36,15 @@ TEST(EveryLesson, IsWithoutFaultsAndIsDrawn) {
         const Expected<Lesson> lesson = lessonNamed(id, "en");
         ASSERT_TRUE(lesson) << id << ": " << lesson.status().message();
         for (const std::string& fault : faultsOf(*lesson)) ADD_FAILURE() << id << ": " << fault;
+#ifdef __EMSCRIPTEN__
+        continue;  // the native test draws them; the bits are compared elsewhere
+#endif
         CpuRenderer renderer;
         for (std::size_t k = 0; k < lesson->steps.size(); ++k) {
             PlateDocument plate = plateOfStep(*lesson, k);
+            // A thousand maps are as many as fifty to the layout.
+            for (PlatePanel& panel : plate.plate.panels)
+                if (panel.scene.contains("ensemble")) panel.scene["ensemble"]["count"] = 50;
             plate.options.widthMillimetres = 89;
             plate.options.dotsPerInch = 72;
             Job job;
