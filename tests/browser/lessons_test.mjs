@@ -93,8 +93,16 @@ async function solve(page, way, solution) {
     if (await page.evaluate(([id, value]) =>
       JSON.parse(window.versorium.controls()).controls.find((one) => one.id === id).value === value, [id, value])) continue;
     await waitFor(page, (id) => document.querySelector(`#lesson [data-key="control ${id} box"]`), id);
-    await way.set(page, id, value);
-    await page.waitForTimeout(350);
+    // Whoever sees that it was not taken tries again.
+    for (let k = 0; k < 3; ++k) {
+      await way.set(page, id, value);
+      await page.waitForTimeout(350);
+      if (await page.evaluate(([id, value]) => {
+        const one = JSON.parse(window.versorium.controls()).controls.find((one) => one.id === id);
+        return !one || one.kind === "command" || one.kind === "choice" || one.kind === "toggle" ||
+          one.value === value || Number(one.value) === Number(value);
+      }, [id, value])) break;
+    }
   }
 }
 
