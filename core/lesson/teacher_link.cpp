@@ -136,7 +136,7 @@ Expected<std::string> teacherLinkText(const TeacherLink& link) {
         if (!value.empty()) text += (text.empty() ? "" : "&") + key + "=" + value;
     };
     add("lesson", encoded(link.lesson));
-    if (!link.lesson.empty() && link.step > 0) add("step", std::to_string(link.step + 1));
+    if (!link.lesson.empty() && link.step) add("step", std::to_string(*link.step + 1));
     add("language", encoded(link.language));
     add("theme", encoded(link.theme));
     if (link.byStep)
@@ -159,7 +159,7 @@ Expected<std::string> teacherLinkText(const TeacherLink& link) {
 }
 
 std::string lessonLink(const std::string& lesson, std::size_t step) {
-    return "lesson=" + encoded(lesson) + (step > 0 ? "&step=" + std::to_string(step + 1) : "");
+    return "lesson=" + encoded(lesson) + "&step=" + std::to_string(step + 1);
 }
 
 Expected<TeacherLink> parseTeacherLink(const std::string& fragment) {

@@ -5,7 +5,8 @@
 //
 //   lesson=1-orbits&step=2&language=es&theme=projector&rest=hidden&open=r,point&view=v1:…
 //
-//   lesson, step     one of the program's lessons, and the step that it begins with, from 1
+//   lesson, step     one of the program's lessons, and the step that it begins with, from 1;
+//                    without it the lesson goes on where the learner left it
 //   view             a view in place of a lesson, as in a link of the studio
 //   language, theme  of the studio, for this visit
 //   rest             what becomes of controls that are not named: open, locked (seen, but they
@@ -25,7 +26,7 @@ enum class Access { open, locked, hidden };
 
 struct TeacherLink {
     std::string lesson;
-    int step = 0;  // from 0
+    std::optional<int> step;  // from 0
     std::string language, theme;
     Access rest = Access::open;
     bool byStep = false;
@@ -34,6 +35,8 @@ struct TeacherLink {
 
     // Whether anything is kept from the learner.
     bool restricts() const;
+    // Whether it says more than which step of which lesson is shown: then it stays the address.
+    bool stays() const { return restricts() || view || !language.empty() || !theme.empty(); }
 };
 
 // Whether a fragment is such a link, rather than one of the studio.

@@ -103,13 +103,15 @@ Status followTeacherLink(StudioContext& context, const TeacherLink& link) {
     // For this visit: what the learner chose is kept.
     if (!link.language.empty() && setLanguage(link.language)) context.fontsChanged = true;
     if (!link.lesson.empty()) {
-        const Status status = openLesson(context, link.lesson, static_cast<std::size_t>(link.step));
+        std::optional<std::size_t> step;
+        if (link.step) step = static_cast<std::size_t>(*link.step);
+        const Status status = openLesson(context, link.lesson, step);
         if (!status.ok()) return status;
         if (link.view) context.openStage(*link.view);
     } else if (link.view) {
         context.open(*link.view);
     }
-    context.teacher = link;
+    if (link.stays()) context.teacher = link;
     permit(context);
     return {};
 }

@@ -59,14 +59,17 @@ void openTeacherDialog(StudioContext& context) {
 }
 
 Expected<std::string> teacherAddress(StudioContext& context) {
-    TeacherLink link = context.handing.link;
+    TeacherLink& link = context.handing.link;
     const bool lesson =
         context.handing.withLesson && context.lessons.now && context.lessons.now->own;
     link.lesson = lesson ? context.lessons.now->session.lesson().id : "";
-    link.step = lesson ? static_cast<int>(context.lessons.now->session.at()) : 0;
+    link.step.reset();
+    if (lesson) link.step = static_cast<int>(context.lessons.now->session.at());
     link.byStep = link.byStep && lesson;
-    link.view.reset();
-    if (!lesson) link.view.emplace(context.workspace);
+    if (lesson)
+        link.view.reset();
+    else
+        link.view.emplace(context.workspace);
     const std::string address = context.host.publicAddress();
     if (address.empty())
         return Status::usage(

@@ -87,8 +87,12 @@ TEST(EmbeddedLessons, AskAndLetTheLearnerDo) {
             const LessonStep& step = lesson.steps[k];
             questions += step.question.has_value();
             goals += step.goal.has_value();
-            if (step.question || step.goal) EXPECT_GE(step.hints.size(), 2u) << place(lesson, k);
-            if (step.question) EXPECT_FALSE(step.reveal.empty()) << place(lesson, k);
+            if (step.question || step.goal) {
+                EXPECT_GE(step.hints.size(), 2u) << place(lesson, k);
+            }
+            if (step.question) {
+                EXPECT_FALSE(step.reveal.empty()) << place(lesson, k);
+            }
         }
         EXPECT_GE(questions, 2) << id;
         EXPECT_GE(goals, 2) << id;

@@ -115,7 +115,11 @@ TEST(LessonSession, IsKeptAndResumed) {
 }
 
 TEST(TeacherLink, SaysWhatItLocksAndComesBack) {
-    TeacherLink link{.lesson = "1-orbits", .step = 2, .language = "es", .theme = "projector"};
+    TeacherLink link;
+    link.lesson = "1-orbits";
+    link.step = 2;
+    link.language = "es";
+    link.theme = "projector";
     link.rest = Access::locked;
     link.named = {{"marked step", Access::open}, {"r", Access::open}, {"height", Access::hidden}};
     const Expected<std::string> text = teacherLinkText(link);
@@ -130,6 +134,10 @@ TEST(TeacherLink, SaysWhatItLocksAndComesBack) {
     EXPECT_EQ(again->rest, Access::locked);
     EXPECT_EQ(again->step, 2);
     EXPECT_TRUE(again->restricts());
+
+    EXPECT_FALSE(parseTeacherLink("lesson=1-orbits")->step) << "where the learner left it";
+    EXPECT_FALSE(parseTeacherLink(lessonLink("1-orbits", 3))->stays());
+    EXPECT_EQ(parseTeacherLink(lessonLink("1-orbits", 3))->step, 3);
 
     TeacherLink view;
     view.view = workspaceOf(*presetNamed("julia"));

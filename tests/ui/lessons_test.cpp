@@ -170,8 +170,8 @@ TEST(TeacherLink, LocksWhateverHandWouldChange) {
     HeadlessGui gui;
     Studio studio(host);
     StudioContext context(host);
-    const Expected<TeacherLink> link =
-        parseTeacherLink("lesson=1-orbits&rest=hidden&open=r&locked=iterations&theme=projector");
+    const Expected<TeacherLink> link = parseTeacherLink(
+        "lesson=1-orbits&step=1&rest=hidden&open=r&locked=iterations&theme=projector");
     ASSERT_TRUE(link);
     ASSERT_TRUE(followTeacherLink(context, *link).ok());
     EXPECT_EQ(themes()[context.theme].name, "projector");
