@@ -171,6 +171,14 @@ PlateDocument plateOfStep(const Lesson& lesson, std::size_t step, const Workspac
     if (what.goal) document.plate.caption += " \\bold{" + escapeMarkup(what.goal->text) + "}";
     document.plate.note = "Versorium · " + escapeMarkup(lesson.title) + ", " +
                           std::to_string(step + 1) + " / " + std::to_string(lesson.steps.size());
+    // A picture of an orbit says nothing without the number of its steps.
+    std::string steps;
+    for (const Scene& scene : shown.views) {
+        const std::string count = std::to_string(scene.iterations);
+        if ((", " + steps + ",").find(", " + count + ",") == std::string::npos)
+            steps += (steps.empty() ? "" : ", ") + count;
+    }
+    document.plate.note += " · N = " + steps;
     if (std::optional<PlatePanel> strip = stripPanel(shown, document))
         document.plate.panels.push_back(std::move(*strip));
     // Where the numbers of a plane of starting points lie among the parameters.
