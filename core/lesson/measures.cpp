@@ -9,6 +9,7 @@
 
 #include "dynamics/catalogue_badge.h"
 #include "fields/evaluate.h"
+#include "math/elementary.h"
 #include "render/bind.h"
 #include "render/shape_profile.h"
 #include "shape/outline.h"
@@ -185,11 +186,12 @@ double distanceAtStart(const Workspace& workspace) {
 double meanDistanceAround(const Workspace& workspace) {
     const std::optional<PlaneField> field = planeField(orbitScene(workspace));
     if (!field) return kUnknown;
-    const double radius = std::hypot(workspace.point[0], workspace.point[1]);
+    const double radius = std::sqrt(workspace.point[0] * workspace.point[0] +
+                                    workspace.point[1] * workspace.point[1]);
     double sum = 0;
     for (int k = 0; k < kCirclePoints; ++k) {
         const double angle = 2 * std::numbers::pi * k / kCirclePoints;
-        sum += field->at(radius * std::cos(angle), radius * std::sin(angle));
+        sum += field->at(radius * versorium::cos(angle), radius * versorium::sin(angle));
     }
     return sum / kCirclePoints;
 }
@@ -239,8 +241,8 @@ double circlesThatEnd(const Workspace& workspace, CircleEnd end) {
         std::vector<double> x, y;
         for (int k = 0; k < kCirclePoints; ++k) {
             const double angle = 2 * std::numbers::pi * k / kCirclePoints;
-            x.push_back(circle.centre[0] + circle.radius * std::cos(angle));
-            y.push_back(circle.centre[1] + circle.radius * std::sin(angle));
+            x.push_back(circle.centre[0] + circle.radius * versorium::cos(angle));
+            y.push_back(circle.centre[1] + circle.radius * versorium::sin(angle));
         }
         double stay = 0;
         for (const double one : membership(*program, x, y)) stay += one;

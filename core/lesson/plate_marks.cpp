@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "fields/evaluate.h"
+#include "math/elementary.h"
 #include "render/bind.h"
 
 namespace versorium {
@@ -119,8 +120,8 @@ void markCircles(const Workspace& workspace, const Frame& frame, PlateOverlay& o
         Curve line;
         for (int k = 0; k <= kCircleCorners; ++k) {
             const double angle = 2 * std::numbers::pi * k / kCircleCorners;
-            line.push_back({circle.centre[0] + circle.radius * std::cos(angle),
-                            circle.centre[1] + circle.radius * std::sin(angle)});
+            line.push_back({circle.centre[0] + circle.radius * versorium::cos(angle),
+                            circle.centre[1] + circle.radius * versorium::sin(angle)});
         }
         for (Curve& run : frame.runs(line)) circles.push_back(std::move(run));
     }
