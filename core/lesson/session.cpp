@@ -102,15 +102,20 @@ Json LessonSession::progress() const {
                          {"hints", state.hints},
                          {"reached", state.reached},
                          {"read", state.read}});
-    return {{"lesson", lesson_.id}, {"at", static_cast<int>(at_)}, {"steps", std::move(steps)}};
+    return {{"lesson", lesson_.id},
+            {"at", static_cast<int>(at_)},
+            {"done", stepsDone()},  // for lists
+            {"steps", std::move(steps)}};
 }
 
 Status LessonSession::resume(const Json& progress) {
     ObjectReader reader(progress, "progress");
     std::string id;
-    int at = 0;
+    int at = 0, done = 0;
     std::vector<StepState> states;
-    reader.text("lesson", id).integer("at", at, 0, static_cast<int>(states_.size()) - 1);
+    reader.text("lesson", id)
+        .integer("at", at, 0, static_cast<int>(states_.size()) - 1)
+        .integer("done", done, 0, static_cast<int>(states_.size()));
     if (id != lesson_.id) return Status::data("this progress is of another lesson");
     const Json* steps = reader.child("steps");
     if (!steps || !steps->is_array() || steps->size() != states_.size())

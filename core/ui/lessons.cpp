@@ -2,7 +2,10 @@
 #include "ui/lessons.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cstdlib>
 
+#include "base/embedded.h"
 #include "lesson/lesson_plate.h"
 #include "lesson/stage.h"
 #include "ui/access.h"
@@ -14,11 +17,14 @@ namespace {
 constexpr double kNoteEvery = 0.2;  // seconds
 
 // Under which progress is kept: what may name a file.
-std::string keptAs(const OpenLesson& lesson) {
-    std::string name = lesson.own ? "lesson-" : "lesson-file-";
-    for (const char c : lesson.session.lesson().id)
-        name += std::isalnum(static_cast<unsigned char>(c)) ? c : '-';
+std::string keptAs(const std::string& id, bool own) {
+    std::string name = own ? "lesson-" : "lesson-file-";
+    for (const char c : id) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '-';
     return name;
+}
+
+std::string keptAs(const OpenLesson& lesson) {
+    return keptAs(lesson.session.lesson().id, lesson.own);
 }
 
 void keep(StudioContext& context) {
@@ -74,20 +80,43 @@ void begin(StudioContext& context, Lesson read, bool own, std::optional<std::siz
 
 }  // namespace
 
+namespace {
+
+// Title, level, minutes and the number of steps: what a list needs, without reading all scenes.
+LessonEntry entryOf(const std::string& id) {
+    LessonEntry entry;
+    entry.id = id;
+    const auto textIn = [&](const std::string& language) {
+        return embeddedText("lessons/" + id + "." + language + ".md");
+    };
+    std::string_view text = textIn(languageNow().id);
+    if (text.empty()) text = textIn("en");
+    constexpr std::string_view kFence = "---\n", kStep = "\n## ";
+    const std::string front(text.substr(kFence.size(), text.find("\n---") - kFence.size()));
+    if (const Expected<std::vector<StageLine>> lines = readLines(front, 2))
+        for (const StageLine& line : *lines) {
+            if (line.key == "title") entry.title = line.value;
+            if (line.key == "level") entry.level = line.value;
+            if (line.key == "minutes") entry.minutes = std::atoi(line.value.c_str());
+        }
+    for (std::size_t at = text.find(kStep); at != std::string_view::npos;
+         at = text.find(kStep, at + 1))
+        ++entry.steps;
+    return entry;
+}
+
+}  // namespace
+
 const std::vector<LessonEntry>& lessonList(StudioContext& context) {
     std::vector<LessonEntry>& list = context.lessons.list;
     if (!list.empty() && context.lessons.listLanguage == languageNow().id) return list;
     list.clear();
     context.lessons.listLanguage = languageNow().id;
     for (const std::string& id : lessonIds()) {
-        Expected<Lesson> lesson = lessonNamed(id, languageNow().id);
-        if (!lesson) continue;
-        LessonEntry entry{id, lesson->title, lesson->level, lesson->minutes, lesson->steps.size()};
-        OpenLesson opened(std::move(*lesson));
-        resume(context, opened);
-        entry.done = opened.session.stepsDone();
-        // Nothing was begun.
-        if (context.host.stored(keptAs(opened)).empty()) entry.done = 0;
+        LessonEntry entry = entryOf(id);
+        const Expected<Json> progress = parseJson(context.host.stored(keptAs(id, true)));
+        if (progress && progress->is_object())
+            entry.done = std::min<std::size_t>(progress->value("done", 0u), entry.steps);
         list.push_back(std::move(entry));
     }
     return list;

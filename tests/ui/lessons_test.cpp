@@ -66,7 +66,17 @@ TEST(Lessons, AreDrawnInThePaneStepByStep) {
     const auto pane = [&] { drawLessonPane(context); };
     context.lessons.open = true;
     for (int k = 0; k < 3; ++k) gui.frame(pane);
-    EXPECT_EQ(lessonList(context).size(), lessonIds().size());
+    ASSERT_EQ(lessonList(context).size(), lessonIds().size());
+    // What the list reads by itself is what the lesson says.
+    for (const LessonEntry& entry : lessonList(context)) {
+        const Expected<Lesson> lesson = lessonNamed(entry.id, "en");
+        ASSERT_TRUE(lesson);
+        EXPECT_EQ(entry.title, lesson->title);
+        EXPECT_EQ(entry.level, lesson->level);
+        EXPECT_EQ(entry.minutes, lesson->minutes);
+        EXPECT_EQ(entry.steps, lesson->steps.size());
+        EXPECT_EQ(entry.done, 0u);
+    }
     for (const std::string& id : lessonIds()) {
         ASSERT_TRUE(openLesson(context, id, 0).ok());
         for (std::size_t k = 0; k < context.lessons.now->left.size(); ++k) {
@@ -125,6 +135,8 @@ TEST(Lessons, AreKeptFromOneStartToTheNext) {
     StudioContext later(host);
     ASSERT_TRUE(openLesson(later, kFirst, {}).ok());
     EXPECT_TRUE(later.lessons.now->session.state().right);
+    closeLesson(later);
+    EXPECT_GE(lessonList(later)[0].done, 1u);
     later.host.store("lesson-1-orbits", "{broken");
     ASSERT_TRUE(openLesson(later, kFirst, {}).ok()) << "what is kept may be damaged";
 }
