@@ -34,6 +34,7 @@ std::optional<OrbitProgram> bound(const Scene& scene) {
 std::vector<const double*> middleOf(const Scene& scene) {
     std::vector<const double*> coordinates;
     for (const double& value : scene.slice.centre) coordinates.push_back(&value);
+    coordinates.resize(3, nullptr);  // averages look at all three
     return coordinates;
 }
 
@@ -83,7 +84,7 @@ struct Points {
 
 std::vector<double> membership(const OrbitProgram& program, const std::vector<double>& u,
                                const std::vector<double>& v) {
-    const double* coordinates[] = {u.data(), v.data()};
+    const double* coordinates[] = {u.data(), v.data(), nullptr};
     return evaluateFields(program, static_cast<int>(u.size()), coordinates,
                           std::vector<FieldName>{FieldName::membership})[0];
 }
