@@ -9,15 +9,16 @@
 namespace versorium {
 namespace {
 
-// Some of the points, their coordinates gathered.
+// Some of the points, their coordinates along the slice's axes gathered.
 struct Points {
     std::vector<std::size_t> index;
-    std::vector<double> coordinates[3];
+    std::vector<std::vector<double>> coordinates;
 
+    explicit Points(std::size_t axes) : coordinates(axes) {}
     void add(std::size_t i, const double* const* from) {
         index.push_back(i);
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            coordinates[axis].push_back(from[axis] ? from[axis][i] : 0);
+        for (std::size_t axis = 0; axis < coordinates.size(); ++axis)
+            coordinates[axis].push_back(from[axis][i]);
     }
 };
 
@@ -30,7 +31,7 @@ constexpr double kRoundingMargin = 1e-9;
 Points undecided(const OrbitProgram& program, const Ensemble& ensemble, std::uint64_t members,
                  int count, const double* const* coordinates, std::uint32_t* counts,
                  const EvaluateOptions& options) {
-    Points points;
+    Points points(program.slice.axes.size());
     const bool onlyRoots = ensemble.ranges.empty() && ensemble.discs.empty();
     const bool known = options.shortcuts && onlyRoots && program.map->info.field &&
                        program.iterations >= 1 && !program.onlyLastTested;
@@ -82,13 +83,13 @@ bool countMembers(const OrbitProgram& program, std::uint64_t first, std::uint64_
     ensemble.choose(first, member);
     const Points points = undecided(member, ensemble, members, count, coordinates, counts, options);
     if (points.index.empty()) return true;
-    const double* pointers[3] = {points.coordinates[0].data(), points.coordinates[1].data(),
-                                 points.coordinates[2].data()};
+    std::vector<const double*> pointers;
+    for (const std::vector<double>& along : points.coordinates) pointers.push_back(along.data());
     const bool solid = ensemble.solid;
     const int size = static_cast<int>(points.index.size());
     // Where nothing but the roots differs, all members start from the same states.
     const bool same = ensemble.ranges.empty() && ensemble.discs.empty() && !program.critical;
-    OrbitLanes lanes(member, size, pointers, options);
+    OrbitLanes lanes(member, size, pointers.data(), options);
     const OrbitLanes start = lanes;
     EscapeRun run(member, options, solid ? 0 : ensemble.capture);
     for (std::uint64_t k = 0; k < members; ++k) {
@@ -98,7 +99,7 @@ bool countMembers(const OrbitProgram& program, std::uint64_t first, std::uint64_
             if (same)
                 lanes.startAt(start);
             else
-                lanes = OrbitLanes(member, size, pointers, options);
+                lanes = OrbitLanes(member, size, pointers.data(), options);
         }
         const EscapeResult& result = run.run(lanes, solid ? Needed::last : Needed::steps);
         for (std::size_t i = 0; i < points.index.size(); ++i)

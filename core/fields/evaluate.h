@@ -64,9 +64,9 @@ struct EvaluateOptions {
         {};  // asked between members; values are of no use once it says true
 };
 
-// For `count` points with coordinates[axis][i]: one vector of count * channels numbers per field,
-// channel after channel. Every NaN is the canonical one. Values do not depend on how points are
-// split among calls.
+// For `count` points with coordinates[axis][i], for each axis of the slice: one vector of count *
+// channels numbers per field, channel after channel. Every NaN is the canonical one. Values do not
+// depend on how points are split among calls.
 std::vector<std::vector<double>> evaluateFields(const OrbitProgram& program, int count,
                                                 const double* const* coordinates,
                                                 std::span<const FieldName> fields,

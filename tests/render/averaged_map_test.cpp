@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 
 #include "fields/ensemble.h"
@@ -42,6 +43,21 @@ AveragedMap counted(const Scene& scene, Size size, const std::vector<int>& porti
 }
 
 constexpr Size kSmall{40, 36};
+
+// A slice with two axes has two coordinates: what stands behind them is not looked at.
+TEST(AveragedMap, TakesACoordinateForEachAxisAndNoMore) {
+    Binder binder;
+    Job job(1);
+    const OrbitProgram program = *binder.bind(starScene(20), job);
+    ASSERT_EQ(program.slice.axes.size(), 2u);
+    const double u = 0.9, v = 0.3;
+    const auto nowhere = reinterpret_cast<const double*>(~std::uintptr_t{7});
+    const double* coordinates[] = {&u, &v, nowhere};
+    const FieldName field[] = {FieldName::meanMembership};
+    const double mean = evaluateFields(program, 1, coordinates, field)[0][0];
+    EXPECT_GE(mean, 0);
+    EXPECT_LE(mean, 1);
+}
 
 TEST(AveragedMap, IsTheMeanOfItsMembersOneByOne) {
     for (const char* set : {"membership", "solid"}) {
