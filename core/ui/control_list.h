@@ -121,5 +121,10 @@ class ControlList {
 
 // The parts that have files of their own.
 void collectShape(StudioContext& context, ControlList& all);
+void collectLayers(StudioContext& context, ControlList& all);
+void collectMotion(StudioContext& context, ControlList& all);
+void collectWindow(StudioContext& context, ControlList& all);
+void collectLessons(StudioContext& context, ControlList& all);
+void collectCommands(StudioContext& context, ControlList& all);
 
 }  // namespace versorium

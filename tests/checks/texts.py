@@ -29,7 +29,8 @@ SINKS = {
     "collectGradient": [1], "colourField": [0], "said": [0], "row": [0, 1], "label": [0],
 }
 SINKS_OF = {
-    "controls.cpp": {"number": [1], "word": [1, 3]},
+    "controls.cpp": {"word": [1, 3]},
+    "controls_motion.cpp": {"number": [1]},
     "controls_ensemble.cpp": {"more": [1]},
     "controls_versor.cpp": {"whole": [1], "real": [1]},
     "ensemble_panel.cpp": {"whole": [2], "real": [2]},
