@@ -3,53 +3,27 @@
 // that can be set or done in the studio stands here once more, as controls of the page: unseen until
 // one has the focus, and in step with the studio. Each view has a place to focus as well, whose keys
 // go to the studio.
+import { gathered, make, makeInput, setDecimal, showValue, stepByKeys, valueOf } from "./elements.mjs";
 import { announce } from "./host.mjs";
 import { speak, tr } from "./words.mjs";
 
 const every = 300; // milliseconds between two looks at the studio
 
-// Numbers are written with the decimal sign of the language, and read with a point or a comma.
-let decimal = ".";
-const written = (number) => number.replace(".", decimal);
-const read = (text) => text.trim().replace(",", ".");
-
-const make = (tag, properties = {}, ...children) => {
-  const element = Object.assign(document.createElement(tag), properties);
-  element.append(...children);
-  return element;
-};
-
 // One control: its element, where to read and write it, and what of it cannot change in place.
-function makeField({ id, label, kind, step, options, shown }, set) {
+function makeField(control, set) {
+  const { id, label, kind, step } = control;
   if (kind === "command") {
     const element = make("button", { type: "button", className: "field", textContent: label });
     element.addEventListener("click", () => set(id, ""));
     const show = (keys) => keys && element.setAttribute("aria-keyshortcuts", keys.replaceAll(" ", "+"));
     return { element, show };
   }
-  const input =
-    kind === "choice" ? make("select")
-    : make("input", { type: { number: "text", toggle: "checkbox", colour: "color", text: "text" }[kind] });
+  const input = makeInput(control);
   let now = "";
-  if (kind === "choice") fillChoice(input, options, shown);
-  if (kind === "number") {
-    input.setAttribute("role", "spinbutton");
-    input.inputMode = "decimal";
-    input.addEventListener("keydown", (event) => {
-      const steps = { ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
-      if (!steps) return;
-      event.preventDefault();
-      const wanted = Number(read(input.value)) + steps * input.step_;
-      input.value = written(String(Number(wanted.toPrecision(12))));
-      input.dispatchEvent(new Event("change"));
-    });
-    input.step_ = step;
-  }
+  input.step_ = step;
+  if (kind === "number") stepByKeys(input, () => input.step_);
   input.addEventListener("change", () => {
-    const value =
-      kind === "toggle" ? (input.checked ? "on" : "off")
-      : kind === "number" ? read(input.value)
-      : input.value;
+    const value = valueOf(input, kind);
     if (value === now) return;
     if (set(id, value)) return void (now = value);
     announce(tr("{1} cannot be {2}", label, input.value));
@@ -59,17 +33,9 @@ function makeField({ id, label, kind, step, options, shown }, set) {
     // What somebody is typing is left alone.
     if (!anyway && value === now) return;
     now = value;
-    if (kind === "toggle") input.checked = value === "on";
-    else input.value = kind === "number" ? written(value) : value;
-    if (kind === "number") input.setAttribute("aria-valuenow", value);
-    if (kind === "choice" && input.value !== value) input.selectedIndex = -1;
+    showValue(input, kind, value);
   };
   return { element: make("label", { className: "field" }, label + " ", input), input, show };
-}
-
-function fillChoice(select, options, shown) {
-  const option = (value, index) => make("option", { textContent: shown[index], value });
-  select.replaceChildren(...options.map(option));
 }
 
 export class Controls {
@@ -80,6 +46,7 @@ export class Controls {
     this.fields = new Map();
     this.views = [];
     this.shape = this.text = this.sentence = "";
+    this.later = gathered(every, () => this.refresh());
     home.addEventListener("keydown", (event) => {
       if (event.key === "Escape") canvas.focus({ preventScroll: true });
     });
@@ -88,10 +55,7 @@ export class Controls {
   // The studio may have changed.
   soon(resting) {
     this.resting = resting;
-    this.timer ||= setTimeout(() => {
-      this.timer = 0;
-      this.refresh();
-    }, every);
+    this.later();
   }
 
   refresh() {
@@ -100,7 +64,7 @@ export class Controls {
       this.text = text;
       const { controls, views, focused, language, decimal: sign } = JSON.parse(text);
       if (language !== this.language) {
-        decimal = sign;
+        setDecimal(sign);
         speak((this.language = language));
       }
       const shape = JSON.stringify(controls.map(({ id, label, options }) => [id, label, options]));
@@ -110,6 +74,7 @@ export class Controls {
         if (field.input) field.input.step_ = control.step;
         field.show(control.value);
       }
+      this.onChange?.(controls);
       this.place(views);
       this.sentence = views[focused]?.text ?? "";
     }

@@ -2,16 +2,11 @@
 // The lesson's pane: its text, question and goal as elements of the page, so that it can be read
 // aloud, walked through by Tab and written into. What it holds comes from the program as JSON
 // (core/ui/lesson_page.cpp), and every button goes back there.
+import { gathered, make, makeInput, showValue, stepByKeys, valueOf } from "./elements.mjs";
 import { announce } from "./host.mjs";
 import { tr } from "./words.mjs";
 
 const every = 250; // milliseconds between two looks at the studio
-
-const make = (tag, properties = {}, ...children) => {
-  const element = Object.assign(document.createElement(tag), properties);
-  element.append(...children.filter((child) => child !== null && child !== undefined));
-  return element;
-};
 
 // Text with emphasis; a formula is spoken in words.
 function runs(list) {
@@ -53,10 +48,11 @@ function blocks(list) {
 }
 
 export class LessonPane {
-  // `read` gives the JSON, `act(action, value)` says whether it was done, `controls()` gives those
-  // of ui/controls.h, `set(id, value)` sets one, and `ring()` is the ring's place as an answer.
-  constructor(home, { read, act, controls, set, ring }) {
-    Object.assign(this, { home, read, controls, set, ring });
+  // `read` gives the JSON, `act(action, value)` says whether it was done, `set(id, value)` sets a
+  // control, and `ring()` is the ring's place as an answer.
+  constructor(home, { read, act, set, ring }) {
+    Object.assign(this, { home, read, set, ring });
+    this.soon = gathered(every, () => this.refresh());
     this.act = (action, value = "") => {
       const done = act(action, value);
       this.refresh();
@@ -65,13 +61,6 @@ export class LessonPane {
     this.text = this.at = "";
     this.draft = "";
     this.fields = new Map();
-  }
-
-  soon() {
-    this.timer ||= setTimeout(() => {
-      this.timer = 0;
-      this.refresh();
-    }, every);
   }
 
   refresh() {
@@ -249,9 +238,10 @@ export class LessonPane {
     return this.panel;
   }
 
-  showControls() {
-    if (this.home.hidden || !this.panel || this.ids.length === 0) return;
-    const { controls, decimal } = JSON.parse(this.controls());
+  // Those of ui/controls.h, as they are now.
+  showControls(controls = this.known) {
+    this.known = controls;
+    if (this.home.hidden || !this.panel || !controls) return;
     const all = new Map(controls.map((control) => [control.id, control]));
     for (const id of this.ids) {
       const control = all.get(id);
@@ -261,11 +251,12 @@ export class LessonPane {
         this.fields.set(id, field);
         this.panel.append(field.element);
       }
-      this.fields.get(id).show(control, decimal);
+      this.fields.get(id).show(control);
     }
   }
 
-  makeField({ id, label, kind, step, range, options, shown }) {
+  makeField(control) {
+    const { id, label, kind, step, range } = control;
     const named = (element, part) => {
       element.dataset.key = `control ${id} ${part}`;
       return element;
@@ -275,44 +266,29 @@ export class LessonPane {
       element.addEventListener("click", () => this.set(id, ""));
       return { element: named(element, "box"), show: ({ locked }) => { element.disabled = Boolean(locked); } };
     }
-    const box = kind === "choice"
-      ? make("select", {}, ...options.map((value, k) => make("option", { textContent: shown?.[k] ?? value, value })))
-      : make("input", { type: { number: "text", toggle: "checkbox", colour: "color", text: "text" }[kind] });
-    named(box, "box");
-    let slider = null;
+    const box = named(makeInput(control), "box");
+    if (kind === "number") stepByKeys(box, () => step);
+    let slider = null, now = null;
     const write = (value) => {
-      if (this.set(id, value)) return this.soon();
-      announce(`${label}: ${value}?`);
-      this.showControls();
+      if (this.set(id, value)) return;
+      announce(tr("{1} cannot be {2}", label, value));
+      showValue(box, kind, now);
     };
-    box.addEventListener("change", () => write(kind === "toggle" ? (box.checked ? "on" : "off") : box.value));
-    if (kind === "number") {
-      box.inputMode = "decimal";
-      box.setAttribute("role", "spinbutton");
-      box.addEventListener("keydown", (event) => {
-        const steps = { ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
-        if (!steps) return;
-        event.preventDefault();
-        write(String(Number((Number(box.value.replace(",", ".")) + steps * step).toPrecision(12))));
-        this.refresh();
-      });
-      if (range) {
-        slider = named(make("input", { type: "range", min: range[0], max: range[1], step, ariaLabel: label }), "slider");
-        slider.addEventListener("input", () => write(slider.value));
-      }
+    box.addEventListener("change", () => write(valueOf(box, kind)));
+    if (kind === "number" && range) {
+      slider = named(make("input", { type: "range", min: range[0], max: range[1], step, ariaLabel: label }), "slider");
+      slider.addEventListener("input", () => write(slider.value));
     }
-    const show = ({ value, locked }, decimal) => {
-      const written = kind === "number" ? value.replace(".", decimal) : value;
+    const show = ({ value, locked }) => {
       box.disabled = Boolean(locked);
       if (slider) {
         slider.disabled = Boolean(locked);
         if (document.activeElement !== slider) slider.value = value;
       }
-      if (kind === "toggle") box.checked = value === "on";
-      else if (box.dataset.shown !== value || document.activeElement !== box) box.value = written;
-      if (kind === "choice" && box.value !== value) box.selectedIndex = -1;
-      box.dataset.shown = value;
-      if (kind === "number") box.setAttribute("aria-valuenow", value);
+      // What somebody is typing is left alone.
+      if (now === value && document.activeElement === box) return;
+      now = value;
+      showValue(box, kind, value);
     };
     const element = make("div", { className: "control" }, make("label", {}, `${label} `, box), slider);
     return { element, show };

@@ -240,10 +240,10 @@ async function begin() {
       wake();
       return done;
     },
-    controls: () => call("page_controls", "string"),
     set,
     ring: () => call("page_lesson_ring", "string"),
   });
+  controls.onChange = (all) => lesson.showControls(all);
   byId("lessons").addEventListener("click", () => lesson.act("list"));
   listenToContext();
   listenToFiles();
