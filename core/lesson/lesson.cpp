@@ -58,6 +58,17 @@ class Reader {
         return std::move(lesson_);
     }
 
+    Expected<LessonHead> readHead() {
+        int line = 1;
+        if (Status status = readFront(line); !status.ok()) return status;
+        constexpr std::string_view kStep = "\n## ";
+        std::size_t steps = text_.starts_with(kStep.substr(1));
+        for (std::size_t at = text_.find(kStep); at != std::string_view::npos;
+             at = text_.find(kStep, at + 1))
+            ++steps;
+        return LessonHead{lesson_.title, lesson_.level, lesson_.minutes, steps};
+    }
+
   private:
     std::string_view text_;
     Lesson lesson_;
@@ -359,8 +370,21 @@ class Reader {
     }
 };
 
-std::string languageFile(const std::string& id, const std::string& language) {
-    return "lessons/" + id + "." + language + ".md";
+struct File {
+    std::string name;
+    std::string_view text;
+};
+
+// In English where there is none in that language.
+Expected<File> fileOf(const std::string& id, const std::string& language) {
+    for (const std::string& tried : {language, std::string("en")}) {
+        const std::string name = "lessons/" + id + "." + tried + ".md";
+        if (const std::string_view text = embeddedText(name); !text.empty())
+            return File{name, text};
+    }
+    std::string all;
+    for (const std::string& known : lessonIds()) all += (all.empty() ? "" : ", ") + known;
+    return Status::usage("there is no lesson named \"" + id + "\"; there are " + all);
 }
 
 }  // namespace
@@ -382,13 +406,15 @@ std::vector<std::string> lessonIds() {
 }
 
 Expected<Lesson> lessonNamed(const std::string& id, const std::string& language) {
-    for (const std::string& tried : {language, std::string("en")}) {
-        const std::string_view text = embeddedText(languageFile(id, tried));
-        if (!text.empty()) return parseLesson(text, languageFile(id, tried));
-    }
-    std::string all;
-    for (const std::string& known : lessonIds()) all += (all.empty() ? "" : ", ") + known;
-    return Status::usage("there is no lesson named \"" + id + "\"; there are " + all);
+    const Expected<File> file = fileOf(id, language);
+    if (!file) return file.status();
+    return parseLesson(file->text, file->name);
+}
+
+Expected<LessonHead> lessonHead(const std::string& id, const std::string& language) {
+    const Expected<File> file = fileOf(id, language);
+    if (!file) return file.status();
+    return Reader(file->text, file->name).readHead();
 }
 
 std::vector<double> answerNumbers(const std::string& answer) {

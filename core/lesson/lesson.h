@@ -96,6 +96,13 @@ Expected<Lesson> parseLesson(std::string_view text, const std::string& name);
 // them, in English where there is none in that language.
 std::vector<std::string> lessonIds();
 Expected<Lesson> lessonNamed(const std::string& id, const std::string& language);
+// What a list of lessons shows, without the scenes being made.
+struct LessonHead {
+    std::string title, level;
+    int minutes = 0;
+    std::size_t steps = 0;
+};
+Expected<LessonHead> lessonHead(const std::string& id, const std::string& language);
 
 // The numbers of an answer, with decimal points, or with decimal commas where that is clear: "0,5",
 // "0,5; -0,25". Empty where they are none.

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
-#include "fields/evaluate.h"
+#include "lesson/measures.h"
 #include "lesson/plate_marks.h"
 #include "plate/markup.h"
-#include "render/bind.h"
 #include "render/system_of.h"
 #include "workspace/diagram.h"
 #include "workspace/export_document.h"
@@ -29,21 +29,10 @@ std::string markupOf(const std::vector<MarkdownBlock>& blocks) {
     return text;
 }
 
-std::optional<OrbitProgram> bound(const Scene& scene) {
-    Binder binder;
-    if (binder.missingGrid(scene)) return {};
-    Job job(1);
-    Expected<OrbitProgram> program = binder.bind(scene, job);
-    if (!program) return {};
-    return std::move(*program);
-}
-
+// Of a map of the line.
 std::vector<double> orbitValues(const Workspace& workspace) {
-    const Scene scene = orbitScene(workspace);
-    const std::optional<OrbitProgram> program = bound(scene);
-    if (!program) return {};
     std::vector<double> values;
-    for (const auto& state : orbitOf(*program, scene.slice.centre.data(), workspace.orbitSteps))
+    for (const auto& state : orbitNow(workspace, workspace.orbitSteps))
         if (std::isfinite(state[0])) values.push_back(state[0]);
     return values;
 }
@@ -76,14 +65,15 @@ LinePlot webOf(const Workspace& workspace) {
     double low = 0, high = 1;
     for (const double value : orbit) low = std::min(low, value), high = std::max(high, value);
     PlotLine graph, web;
-    Workspace other = workspace;
-    other.orbitSteps = 1;
-    for (int k = 0; k <= kGraph; ++k) {
-        other.point[0] = low + (high - low) * k / kGraph;
-        const std::vector<double> one = orbitValues(other);
+    const Scene scene = orbitScene(workspace);
+    const std::optional<OrbitProgram> program = programNow(scene);
+    std::vector<double> start = scene.slice.centre;
+    for (int k = 0; program && k <= kGraph; ++k) {
+        start[0] = low + (high - low) * k / kGraph;
+        const auto one = orbitOf(*program, start.data(), 1);
         if (one.size() < 2) continue;
-        graph.x.push_back(one[0]);
-        graph.y.push_back(one[1]);
+        graph.x.push_back(one[0][0]);
+        graph.y.push_back(one[1][0]);
     }
     for (std::size_t k = 0; k + 1 < orbit.size(); ++k) {
         web.x.insert(web.x.end(), {orbit[k], orbit[k]});
@@ -130,7 +120,7 @@ std::optional<PlatePanel> stripPanel(const Workspace& workspace, PlateDocument& 
         case Workspace::Strip::series:
         case Workspace::Strip::web: {
             // Orbits in the plane are seen in the views themselves.
-            if (map.dimension != 1 || bound(orbitScene(workspace)) == std::nullopt) return {};
+            if (map.dimension != 1 || !programNow(orbitScene(workspace))) return {};
             panel.kind = PanelKind::plot;
             const bool web = workspace.strip == Workspace::Strip::web;
             panel.title = web ? "The orbit as a web" : "The orbit, step by step";
@@ -171,14 +161,12 @@ PlateDocument plateOfStep(const Lesson& lesson, std::size_t step, const Workspac
     if (what.goal) document.plate.caption += " \\bold{" + escapeMarkup(what.goal->text) + "}";
     document.plate.note = "Versorium · " + escapeMarkup(lesson.title) + ", " +
                           std::to_string(step + 1) + " / " + std::to_string(lesson.steps.size());
-    // A picture of an orbit says nothing without the number of its steps.
-    std::string steps;
-    for (const Scene& scene : shown.views) {
-        const std::string count = std::to_string(scene.iterations);
-        if ((", " + steps + ",").find(", " + count + ",") == std::string::npos)
-            steps += (steps.empty() ? "" : ", ") + count;
-    }
-    document.plate.note += " · N = " + steps;
+    // A picture of orbits says little without the number of their steps.
+    document.plate.note += " · N = ";
+    std::set<int> said;
+    for (const Scene& scene : shown.views)
+        if (said.insert(scene.iterations).second)
+            document.plate.note += (said.size() > 1 ? ", " : "") + std::to_string(scene.iterations);
     if (std::optional<PlatePanel> strip = stripPanel(shown, document))
         document.plate.panels.push_back(std::move(*strip));
     // Where the numbers of a plane of starting points lie among the parameters.

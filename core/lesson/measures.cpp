@@ -19,28 +19,15 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-std::optional<OrbitProgram> bound(const Scene& scene) {
-    Binder binder;
-    // The grid of an outline is small and made at once; those of meshes are not.
-    if (const std::optional<Scene> missing = binder.missingGrid(scene);
-        missing && !isOutline(missing->shape.source))
-        return {};
-    Job job(1);
-    Expected<OrbitProgram> program = binder.bind(scene, job);
-    if (!program) return {};
-    return std::move(*program);
-}
-
 std::vector<const double*> middleOf(const Scene& scene) {
     std::vector<const double*> coordinates;
     for (const double& value : scene.slice.centre) coordinates.push_back(&value);
-    coordinates.resize(3, nullptr);  // averages look at all three
     return coordinates;
 }
 
 // A field of one orbit: that of the scene's own middle.
 double measure(const Scene& scene, FieldName field) {
-    const std::optional<OrbitProgram> program = bound(scene);
+    const std::optional<OrbitProgram> program = programNow(scene);
     if (!program) return kUnknown;
     return evaluateFields(*program, 1, middleOf(scene).data(), std::vector<FieldName>{field})[0][0];
 }
@@ -84,7 +71,7 @@ struct Points {
 
 std::vector<double> membership(const OrbitProgram& program, const std::vector<double>& u,
                                const std::vector<double>& v) {
-    const double* coordinates[] = {u.data(), v.data(), nullptr};
+    const double* coordinates[] = {u.data(), v.data()};
     return evaluateFields(program, static_cast<int>(u.size()), coordinates,
                           std::vector<FieldName>{FieldName::membership})[0];
 }
@@ -100,7 +87,7 @@ struct PlaneField {
 };
 std::optional<PlaneField> planeField(const Scene& scene) {
     if (!isComplex(scene) || !mapOf(scene).info.field) return {};
-    std::optional<OrbitProgram> program = bound(scene);
+    std::optional<OrbitProgram> program = programNow(scene);
     if (!program || !program->field) return {};
     PlaneField field{std::move(*program)};
     if (const auto shift = scene.parameters.find("shift"); shift != scene.parameters.end()) {
@@ -140,6 +127,25 @@ std::optional<Cover> coverOf(const Workspace& workspace) {
 
 }  // namespace
 
+std::optional<OrbitProgram> programNow(const Scene& scene) {
+    Binder binder;
+    // The grid of an outline is small and made at once; those of meshes are not.
+    if (const std::optional<Scene> missing = binder.missingGrid(scene);
+        missing && !isOutline(missing->shape.source))
+        return {};
+    Job job(1);
+    Expected<OrbitProgram> program = binder.bind(scene, job);
+    if (!program) return {};
+    return std::move(*program);
+}
+
+std::vector<std::vector<double>> orbitNow(const Workspace& workspace, int steps) {
+    const Scene scene = orbitScene(workspace);
+    const std::optional<OrbitProgram> program = programNow(scene);
+    if (!program) return {};
+    return orbitOf(*program, scene.slice.centre.data(), steps);
+}
+
 double ofOrbit(const Workspace& workspace, FieldName field) {
     return measure(orbitScene(workspace), field);
 }
@@ -149,19 +155,15 @@ double ofCriticalOrbit(const Workspace& workspace, FieldName field) {
 }
 
 double endOfOrbit(const Workspace& workspace, std::size_t component) {
-    const Scene scene = orbitScene(workspace);
-    const std::optional<OrbitProgram> program = bound(scene);
-    if (!program) return kUnknown;
-    const int steps = std::min(scene.iterations, kMostEndSteps);
-    const std::vector<std::vector<double>> orbit =
-        orbitOf(*program, scene.slice.centre.data(), steps);
+    const int steps = std::min(orbitScene(workspace).iterations, kMostEndSteps);
+    const std::vector<std::vector<double>> orbit = orbitNow(workspace, steps);
     const bool whole = static_cast<int>(orbit.size()) == steps + 1;
     return whole && component < orbit.back().size() ? orbit.back()[component] : kUnknown;
 }
 
 double shareThatStays(const Workspace& workspace) {
     const Scene* view = viewOfStarts(workspace);
-    const std::optional<OrbitProgram> program = view ? bound(*view) : std::nullopt;
+    const std::optional<OrbitProgram> program = view ? programNow(*view) : std::nullopt;
     if (!program) return kUnknown;
     const Points points(*view);
     double count = 0;
@@ -200,7 +202,7 @@ double meanDistanceAround(const Workspace& workspace) {
 double captureRadius(const Workspace& workspace) {
     const Scene scene = orbitScene(workspace);
     if (!mapOf(scene).info.field) return kUnknown;
-    const std::optional<OrbitProgram> program = bound(scene);
+    const std::optional<OrbitProgram> program = programNow(scene);
     if (!program || !program->field) return kUnknown;
     RadialOptions options = radialOptions(scene, program->escapeRadius);
     options.radii = 257;
@@ -235,7 +237,7 @@ double memberShareAtStart(const Workspace& workspace) {
 
 double circlesThatEnd(const Workspace& workspace, CircleEnd end) {
     const Scene scene = orbitScene(workspace);
-    const std::optional<OrbitProgram> program = isComplex(scene) ? bound(scene) : std::nullopt;
+    const std::optional<OrbitProgram> program = isComplex(scene) ? programNow(scene) : std::nullopt;
     if (!program) return kUnknown;
     double count = 0;
     for (const Workspace::Circle& circle : workspace.circles) {
@@ -258,7 +260,7 @@ double circlesThatEnd(const Workspace& workspace, CircleEnd end) {
 double isCatalogue(const Workspace& workspace) {
     const auto view = std::find_if(workspace.views.begin(), workspace.views.end(), showsParameters);
     if (view == workspace.views.end() || view->slice.axes.size() != 2) return kUnknown;
-    const std::optional<OrbitProgram> program = bound(*view);
+    const std::optional<OrbitProgram> program = programNow(*view);
     if (!program) return kUnknown;
     const double half = view->slice.height / 2;
     const CatalogueBadge badge = catalogueBadge(*program, view->slice.centre.data(), half, half);

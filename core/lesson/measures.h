@@ -5,7 +5,10 @@
 // is bounded here, so that a goal can be asked while a hand moves a slider. NaN where there is
 // nothing to measure, or where a shape's grid would take time to make.
 
-#include "fields/field_names.h"
+#include <optional>
+#include <vector>
+
+#include "fields/evaluate.h"
 #include "workspace/workspace.h"
 
 namespace versorium {
@@ -14,6 +17,11 @@ inline constexpr int kShareSide = 64;              // points along a view, of `s
 inline constexpr int kCirclePoints = 256;          // on a circle, or around 0
 inline constexpr int kMostMeasuredMembers = 2000;  // of an ensemble
 inline constexpr int kMostEndSteps = 1000;
+
+// A scene made ready to be measured; nothing where its shape needs a grid that takes time to make.
+std::optional<OrbitProgram> programNow(const Scene& scene);
+// The workspace's orbit, z_0 … at most z_steps; empty where it cannot be measured now.
+std::vector<std::vector<double>> orbitNow(const Workspace& workspace, int steps);
 
 // A field of the orbit that is drawn, or of the map's first critical point.
 double ofOrbit(const Workspace& workspace, FieldName field);

@@ -6,9 +6,8 @@
 #include <numbers>
 #include <optional>
 
-#include "fields/evaluate.h"
+#include "lesson/measures.h"
 #include "math/elementary.h"
-#include "render/bind.h"
 
 namespace versorium {
 namespace {
@@ -87,15 +86,8 @@ class Frame {
 };
 
 Curve orbitCurve(const Workspace& workspace) {
-    const Scene scene = orbitScene(workspace);
-    Binder binder;
-    Job job(1);
-    if (binder.missingGrid(scene)) return {};
-    const Expected<OrbitProgram> program = binder.bind(scene, job);
-    if (!program) return {};
     Curve curve;
-    for (const auto& state :
-         orbitOf(*program, scene.slice.centre.data(), std::max(0, workspace.orbitSteps)))
+    for (const auto& state : orbitNow(workspace, workspace.orbitSteps))
         if (std::isfinite(state[0]) && std::isfinite(state[1]))
             curve.push_back({state[0], state[1]});
     return curve;

@@ -334,7 +334,7 @@ std::vector<Command> entriesFor(StudioContext& context, const char* question) {
     if (isRestricted(context)) return commandsOf(context);
     std::vector<Command> entries;
     for (const LessonEntry& lesson : lessonList(context))
-        entries.push_back(said("Lesson: {1}", lesson.title, [&context, id = lesson.id] {
+        entries.push_back(said("Lesson: {1}", lesson.head.title, [&context, id = lesson.id] {
             context.report(openLesson(context, id, {}));
         }));
     for (const std::string& name : presetNames())

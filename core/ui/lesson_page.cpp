@@ -117,10 +117,10 @@ std::string lessonText(StudioContext& context) {
         json["lessons"] = Json::array();
         for (const LessonEntry& entry : lessonList(context))
             json["lessons"].push_back({{"id", entry.id},
-                                       {"title", entry.title},
-                                       {"level", entry.level},
-                                       {"minutes", entry.minutes},
-                                       {"steps", entry.steps},
+                                       {"title", entry.head.title},
+                                       {"level", entry.head.level},
+                                       {"minutes", entry.head.minutes},
+                                       {"steps", entry.head.steps},
                                        {"done", entry.done}});
         return json.dump();
     }

@@ -36,13 +36,14 @@ void drawList(StudioContext& context) {
         tr("Each takes five to ten minutes. What you have done is kept here, on this device."));
     for (const LessonEntry& entry : lessonList(context)) {
         ImGui::PushID(entry.id.c_str());
-        const std::string label = (entry.done == entry.steps ? kDone : "") + entry.title;
+        const std::string label = (entry.done == entry.head.steps ? kDone : "") + entry.head.title;
         if (ImGui::Button(label.c_str(), {-1, 0}))
             context.report(openLesson(context, entry.id, {}));
         explain("lesson");
-        ImGui::TextDisabled("%s", (std::to_string(entry.minutes) + " min · " + entry.level + " · " +
-                                   std::to_string(entry.done) + " / " + std::to_string(entry.steps))
-                                      .c_str());
+        ImGui::TextDisabled(
+            "%s", (std::to_string(entry.head.minutes) + " min · " + entry.head.level + " · " +
+                   std::to_string(entry.done) + " / " + std::to_string(entry.head.steps))
+                      .c_str());
         ImGui::PopID();
     }
     ImGui::Spacing();

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
 
-#include "base/embedded.h"
 #include "lesson/lesson_plate.h"
 #include "lesson/stage.h"
 #include "ui/access.h"
@@ -80,43 +78,19 @@ void begin(StudioContext& context, Lesson read, bool own, std::optional<std::siz
 
 }  // namespace
 
-namespace {
-
-// Title, level, minutes and the number of steps: what a list needs, without reading all scenes.
-LessonEntry entryOf(const std::string& id) {
-    LessonEntry entry;
-    entry.id = id;
-    const auto textIn = [&](const std::string& language) {
-        return embeddedText("lessons/" + id + "." + language + ".md");
-    };
-    std::string_view text = textIn(languageNow().id);
-    if (text.empty()) text = textIn("en");
-    constexpr std::string_view kFence = "---\n", kStep = "\n## ";
-    const std::string front(text.substr(kFence.size(), text.find("\n---") - kFence.size()));
-    if (const Expected<std::vector<StageLine>> lines = readLines(front, 2))
-        for (const StageLine& line : *lines) {
-            if (line.key == "title") entry.title = line.value;
-            if (line.key == "level") entry.level = line.value;
-            if (line.key == "minutes") entry.minutes = std::atoi(line.value.c_str());
-        }
-    for (std::size_t at = text.find(kStep); at != std::string_view::npos;
-         at = text.find(kStep, at + 1))
-        ++entry.steps;
-    return entry;
-}
-
-}  // namespace
-
 const std::vector<LessonEntry>& lessonList(StudioContext& context) {
     std::vector<LessonEntry>& list = context.lessons.list;
     if (!list.empty() && context.lessons.listLanguage == languageNow().id) return list;
     list.clear();
     context.lessons.listLanguage = languageNow().id;
     for (const std::string& id : lessonIds()) {
-        LessonEntry entry = entryOf(id);
+        Expected<LessonHead> head = lessonHead(id, languageNow().id);
+        if (!head) continue;
+        LessonEntry entry{id, std::move(*head)};
         const Expected<Json> progress = parseJson(context.host.stored(keptAs(id, true)));
-        if (progress && progress->is_object())
-            entry.done = std::min<std::size_t>(progress->value("done", 0u), entry.steps);
+        if (progress && progress->is_object() && progress->contains("done") &&
+            progress->at("done").is_number_unsigned())
+            entry.done = std::min(progress->at("done").get<std::size_t>(), entry.head.steps);
         list.push_back(std::move(entry));
     }
     return list;

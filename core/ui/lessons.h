@@ -37,9 +37,9 @@ struct OpenLesson {
 
 // One of the program's lessons, and what was done of it.
 struct LessonEntry {
-    std::string id, title, level;
-    int minutes = 0;
-    std::size_t steps = 0, done = 0;
+    std::string id;
+    LessonHead head;
+    std::size_t done = 0;  // steps
 };
 struct Lessons {
     bool open = false;  // the pane; with no lesson it shows the list

@@ -27,12 +27,15 @@ bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-// The index of the first step that has what is looked for.
-template <class Has>
-std::size_t stepWith(const Lesson& lesson, Has has) {
-    const auto found = std::find_if(lesson.steps.begin(), lesson.steps.end(), has);
-    EXPECT_NE(found, lesson.steps.end());
-    return static_cast<std::size_t>(found - lesson.steps.begin());
+// Goes to the first step that has a question, or a goal.
+template <class T>
+void goToFirst(StudioContext& context, std::optional<T> LessonStep::*task) {
+    const std::vector<LessonStep>& steps = context.lessons.now->session.lesson().steps;
+    const auto found = std::find_if(steps.begin(), steps.end(), [&](const LessonStep& step) {
+        return (step.*task).has_value();
+    });
+    ASSERT_NE(found, steps.end());
+    goToStep(context, static_cast<std::size_t>(found - steps.begin()));
 }
 
 // A lesson may name no control that the studio does not have in that step.
@@ -71,10 +74,10 @@ TEST(Lessons, AreDrawnInThePaneStepByStep) {
     for (const LessonEntry& entry : lessonList(context)) {
         const Expected<Lesson> lesson = lessonNamed(entry.id, "en");
         ASSERT_TRUE(lesson);
-        EXPECT_EQ(entry.title, lesson->title);
-        EXPECT_EQ(entry.level, lesson->level);
-        EXPECT_EQ(entry.minutes, lesson->minutes);
-        EXPECT_EQ(entry.steps, lesson->steps.size());
+        EXPECT_EQ(entry.head.title, lesson->title);
+        EXPECT_EQ(entry.head.level, lesson->level);
+        EXPECT_EQ(entry.head.minutes, lesson->minutes);
+        EXPECT_EQ(entry.head.steps, lesson->steps.size());
         EXPECT_EQ(entry.done, 0u);
     }
     for (const std::string& id : lessonIds()) {
@@ -121,10 +124,7 @@ TEST(Lessons, AreKeptFromOneStartToTheNext) {
     {
         StudioContext context(host);
         ASSERT_TRUE(openLesson(context, kFirst, {}).ok());
-        const std::size_t asking =
-            stepWith(context.lessons.now->session.lesson(),
-                     [](const LessonStep& step) { return step.question.has_value(); });
-        goToStep(context, asking);
+        goToFirst(context, &LessonStep::question);
         commitAnswer(context, "nonsense");
         EXPECT_FALSE(context.lessons.now->problem.empty());
         commitAnswer(context, rightAnswer(*context.lessons.now->session.step().question));
@@ -146,10 +146,7 @@ TEST(Lessons, AGoalLightsUpTheMomentTheStateSatisfiesIt) {
     HeadlessGui gui;
     StudioContext context(host);
     ASSERT_TRUE(openLesson(context, kFirst, {}).ok());
-    const std::size_t aiming =
-        stepWith(context.lessons.now->session.lesson(),
-                 [](const LessonStep& step) { return step.goal.has_value(); });
-    goToStep(context, aiming);
+    goToFirst(context, &LessonStep::goal);
     host.time += 1;
     noteGoal(context);
     EXPECT_FALSE(context.lessons.now->session.state().reached);
