@@ -101,7 +101,6 @@ const tests = {
     const frame = page.frames()[1];
     await ready(frame);
     const before = await fragment(frame);
-    await frame.evaluate(() => document.activeElement.blur());
     await page.mouse.move(...spot);
     await page.mouse.wheel(0, 200);
     await waitFor(page, () => scrollY > 0);

@@ -4,6 +4,9 @@ import { tr } from "./words.mjs";
 
 const byId = (id) => document.getElementById(id);
 
+// Whether the page is shown within another one.
+export const embedded = window.self !== window.top;
+
 export function announce(text) {
   byId("said").textContent = text;
 }

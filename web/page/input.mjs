@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Mouse, fingers, keys and text of the canvas, for page_input.cpp.
+import { embedded } from "./host.mjs";
 
 const longPress = 80; // milliseconds that one finger waits for a second
 const slop = 6; // CSS pixels that it may tremble meanwhile
@@ -107,7 +108,6 @@ function listenToPointers(canvas, studio, wake) {
   canvas.addEventListener("contextmenu", (event) => event.preventDefault());
 
   // Within another page the wheel scrolls that page until somebody works in here.
-  const embedded = window.self !== window.top;
   canvas.addEventListener("wheel", (event) => {
     if (embedded && !event.ctrlKey && document.activeElement !== canvas) return;
     event.preventDefault();

@@ -3,7 +3,7 @@
 // aloud, walked through by Tab and written into. What it holds comes from the program as JSON
 // (core/ui/lesson_page.cpp), and every button goes back there.
 import { gathered, make, makeInput, showValue, stepByKeys, valueOf } from "./elements.mjs";
-import { announce } from "./host.mjs";
+import { announce, embedded } from "./host.mjs";
 import { tr } from "./words.mjs";
 
 const every = 250; // milliseconds between two looks at the studio
@@ -87,7 +87,7 @@ export class LessonPane {
     this.home.scrollTop = turned ? 0 : scrolled;
     const again = focused && this.home.querySelector(`[data-key="${CSS.escape(focused)}"]`);
     // A new step is read from its heading on.
-    if (turned && (focused || !shown)) this.home.querySelector("h2")?.focus({ preventScroll: true });
+    if (turned && (focused || (!shown && !embedded))) this.home.querySelector("h2")?.focus({ preventScroll: true });
     else if (again && !again.disabled) again.focus({ preventScroll: true });
     else if (focused) this.home.querySelector("h2")?.focus({ preventScroll: true });
   }

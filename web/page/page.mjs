@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page: loads the program, draws frames when something happened, and opens what it is given.
 import { Controls } from "./controls.mjs";
-import { Address, announce, copyPicture, download, hideMessage, makeHost, showMessage } from "./host.mjs";
+import { Address, announce, copyPicture, download, embedded, hideMessage, makeHost, showMessage } from "./host.mjs";
 import { listen } from "./input.mjs";
 import { LessonPane } from "./lesson.mjs";
 import { compileProgram, instantiation } from "./load.mjs";
@@ -249,7 +249,8 @@ async function begin() {
   listenToFiles();
   listenToSize();
   byId("loading").remove();
-  canvas.focus({ preventScroll: true });
+  // Within another page nothing takes the focus before somebody works in here.
+  if (!embedded) canvas.focus({ preventScroll: true });
   if (location.hash.length > 1) openFragment(location.hash.slice(1));
   if (!graphics)
     showMessage(tr("This browser gives no WebGL 2: the processor draws, and everything is slower."));
