@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <mutex>
 #include <vector>
 
 #include "base/embedded.h"
@@ -13,24 +14,25 @@
 #include "base/text.h"
 
 namespace versorium {
-namespace {
-
-const std::array<Language, 2> kLanguages{{{"en", "English", '.'}, {"es", "Español", ','}}};
-
-using Texts = std::map<std::string, std::string, std::less<>>;
-
-// A sentence with places is cut at them: "a {1} b" is {"a ", " b"}.
-struct Sentence {
-    std::vector<std::string> pieces;
-    std::vector<std::size_t> places;
-    std::string_view other;  // in the language
-    std::size_t length = 0;  // of the pieces
-};
 
 struct Dictionary {
-    Texts texts;
+    // A sentence with places is cut at them: "a {1} b" is {"a ", " b"}.
+    struct Sentence {
+        std::vector<std::string> pieces;
+        std::vector<std::size_t> places;
+        std::string_view other;  // in the language
+        std::size_t length = 0;  // of the pieces
+    };
+
+    std::map<std::string, std::string, std::less<>> texts;
     std::vector<Sentence> sentences;
 };
+
+namespace {
+
+using Sentence = Dictionary::Sentence;
+
+const std::array<Language, 2> kLanguages{{{"en", "English", '.'}, {"es", "Español", ','}}};
 
 // What has less text than this between its places fits by chance.
 constexpr std::size_t kLeastText = 6;
@@ -72,24 +74,20 @@ Dictionary read(const std::string& id) {
     return dictionary;
 }
 
-struct Now {
-    const Language* language = &kLanguages[0];
-    const Dictionary* dictionary = nullptr;  // null in English
-};
-Now now;
-
 // Dictionaries stay: what tr() returned points into them.
 const Dictionary* dictionaryOf(const std::string& id) {
     static std::map<std::string, Dictionary> all;
+    static std::mutex mutex;
     if (id == kLanguages[0].id) return nullptr;
+    const std::lock_guard lock(mutex);
     const auto found = all.find(id);
     return found != all.end() ? &found->second : &all.emplace(id, read(id)).first->second;
 }
 
-const std::string* find(std::string_view english) {
-    if (!now.dictionary) return nullptr;
-    const auto found = now.dictionary->texts.find(english);
-    return found == now.dictionary->texts.end() ? nullptr : &found->second;
+const Language* languageNamed(std::string_view id) {
+    for (const Language& language : kLanguages)
+        if (language.id == id) return &language;
+    return nullptr;
 }
 
 std::string filled(std::string_view sentence, std::span<const std::string> values) {
@@ -133,17 +131,18 @@ struct Said {
 };
 
 // `looks` bounds the work, whatever a message repeats.
-Said saidBest(std::string_view english, int& looks) {
+Said saidBest(const Dictionary& dictionary, std::string_view english, int& looks) {
     if (english.empty() || --looks < 0) return {std::string(english)};
-    if (const std::string* other = find(english)) return {*other, english.size()};
+    if (const auto known = dictionary.texts.find(english); known != dictionary.texts.end())
+        return {known->second, english.size()};
     Said best{std::string(english)};
-    for (const Sentence& sentence : now.dictionary->sentences) {
+    for (const Sentence& sentence : dictionary.sentences) {
         std::optional<std::vector<std::string>> values = valuesIn(sentence, english);
         if (!values) continue;
         std::size_t length = sentence.length;
         for (std::string& value : *values) {
             if (value.find(' ') == std::string::npos) continue;  // a name, or a number
-            Said said = saidBest(value, looks);
+            Said said = saidBest(dictionary, value, looks);
             value = std::move(said.text);
             length += said.length;
         }
@@ -152,7 +151,7 @@ Said saidBest(std::string_view english, int& looks) {
     // "where: what".
     const std::size_t colon = english.find(": ");
     if (colon == std::string_view::npos) return best;
-    const Said what = saidBest(english.substr(colon + 2), looks);
+    const Said what = saidBest(dictionary, english.substr(colon + 2), looks);
     if (what.length <= best.length) return best;
     return {std::string(english.substr(0, colon + 2)) + what.text, what.length};
 }
@@ -161,54 +160,72 @@ Said saidBest(std::string_view english, int& looks) {
 
 std::span<const Language> languages() { return kLanguages; }
 
-bool setLanguage(std::string_view id) {
-    for (const Language& language : kLanguages)
-        if (language.id == id) {
-            now = {&language, dictionaryOf(language.id)};
-            return true;
-        }
-    return false;
+Words::Words(std::string_view id)
+    : language_(languageNamed(id) ? languageNamed(id) : &kLanguages[0]),
+      dictionary_(dictionaryOf(language_->id)) {}
+
+const std::string* Words::find(std::string_view english) const {
+    if (!dictionary_) return nullptr;
+    const auto found = dictionary_->texts.find(english);
+    return found == dictionary_->texts.end() ? nullptr : &found->second;
 }
 
-const Language& languageNow() { return *now.language; }
-
-const std::string& languageOf(std::string_view locale) {
-    const std::string_view id = locale.substr(0, locale.find_first_of("_-.@"));
-    for (const Language& language : kLanguages)
-        if (language.id == id) return language.id;
-    return kLanguages[0].id;
-}
-
-const char* tr(const char* english) {
-    const std::string* other = find(english);
-    return other ? other->c_str() : english;
-}
-
-std::string tr(std::string_view english) {
+std::string Words::tr(std::string_view english) const {
     const std::string* other = find(english);
     return other ? *other : std::string(english);
 }
 
-std::string tr(const char* english, std::initializer_list<std::string> values) {
+std::string Words::tr(std::string_view english, std::initializer_list<std::string> values) const {
     return filled(tr(english), {values.begin(), values.size()});
 }
 
-std::string trMessage(std::string_view english) {
+std::string Words::message(std::string_view english) const {
     int looks = kMostLooks;
-    return now.dictionary ? saidBest(english, looks).text : std::string(english);
+    return dictionary_ ? saidBest(*dictionary_, english, looks).text : std::string(english);
 }
 
-std::string withDecimalSign(std::string number) {
-    std::replace(number.begin(), number.end(), '.', now.language->decimal);
-    return number;
+std::string Words::number(std::string formatted) const {
+    std::replace(formatted.begin(), formatted.end(), '.', language_->decimal);
+    return formatted;
 }
+
+const char* Words::separator() const { return language_->decimal == ',' ? "; " : ", "; }
+
+namespace {
+Words now;
+}
+
+bool setLanguage(std::string_view id) {
+    if (!languageNamed(id)) return false;
+    now = Words(id);
+    return true;
+}
+
+const Words& wordsNow() { return now; }
+
+const std::string& languageOf(std::string_view locale) {
+    const Language* language = languageNamed(locale.substr(0, locale.find_first_of("_-.@")));
+    return language ? language->id : kLanguages[0].id;
+}
+
+const char* tr(const char* english) {
+    const std::string* other = now.find(english);
+    return other ? other->c_str() : english;
+}
+
+std::string tr(std::string_view english) { return now.tr(english); }
+std::string tr(const char* english, std::initializer_list<std::string> values) {
+    return now.tr(english, values);
+}
+std::string trMessage(std::string_view english) { return now.message(english); }
+std::string withDecimalSign(std::string number) { return now.number(std::move(number)); }
 
 std::string shownNumber(double value) { return withDecimalSign(formatNumber(value)); }
 std::string shownNumber(double value, int digits) {
     return withDecimalSign(formatNumber(value, digits));
 }
 
-const char* numberSeparator() { return now.language->decimal == ',' ? "; " : ", "; }
+const char* numberSeparator() { return now.separator(); }
 
 std::optional<double> parseShownNumber(std::string_view text) {
     std::string number = trimmed(std::string(text));

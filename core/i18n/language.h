@@ -2,9 +2,9 @@
 #pragma once
 // The language of the interface. Texts stand in the sources in English; core/i18n/<id>.json has
 // what another language says instead, and where it has nothing the English text is shown. One
-// language at a time for the whole process: the studio is one thread, and so are its texts. Files,
-// links, scenes, the ids of controls and the command line are English, with points in numbers,
-// always.
+// language at a time for the whole process: the studio is one thread, and so are its texts. What is
+// written in a language of its own, such as a plate, takes Words, on any thread. Files, links,
+// scenes, the ids of controls and the command line are English, with points in numbers, always.
 
 #include <initializer_list>
 #include <optional>
@@ -22,9 +22,31 @@ struct Language {
 
 // English first.
 std::span<const Language> languages();
+// The texts of one language.
+class Words {
+  public:
+    // English where there is no language of this id.
+    explicit Words(std::string_view id = "en");
+
+    const Language& language() const { return *language_; }
+    // What tr(), trMessage() and withDecimalSign() below do in the language of the interface.
+    std::string tr(std::string_view english) const;
+    std::string tr(std::string_view english, std::initializer_list<std::string> values) const;
+    std::string message(std::string_view english) const;
+    std::string number(std::string formatted) const;
+    const char* separator() const;  // numberSeparator()
+    // The text itself, which lives as long as the program; null where there is no other.
+    const std::string* find(std::string_view english) const;
+
+  private:
+    const Language* language_;
+    const struct Dictionary* dictionary_;  // null in English
+};
+
 // False, and nothing changes, where there is none of this id.
 bool setLanguage(std::string_view id);
-const Language& languageNow();
+const Words& wordsNow();
+inline const Language& languageNow() { return wordsNow().language(); }
 // The language that a system's name such as "es_MX.UTF-8" or "es-419" stands for; else English.
 const std::string& languageOf(std::string_view locale);
 

@@ -12,10 +12,8 @@ namespace versorium {
 namespace {
 
 bool beginsName(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
-bool inName(char c) {
-    return beginsName(c) || std::isdigit(static_cast<unsigned char>(c)) || c == '.' || c == '[' ||
-           c == ']';
-}
+bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+bool inName(char c) { return beginsName(c) || isDigit(c) || c == '.' || c == '[' || c == ']'; }
 
 bool isWord(const std::string& name) {
     static constexpr const char* kWords[] = {"and", "or", "not", "pi", "e"};
@@ -28,19 +26,26 @@ Expected<Condition> parseCondition(const std::string& text,
                                    const std::function<bool(const std::string&)>& known) {
     Condition condition;
     condition.text = text;
+    const auto unknown = [&](const std::string& name) {
+        return Status::data("\"" + text + "\": there is no number named \"" + name + "\" here");
+    };
     // Observables become the parameters v0, v1, … of a formula of the line.
     std::string formula = "x' = if(";
     for (std::size_t i = 0; i < text.size();) {
         if (!beginsName(text[i])) {
-            // A number takes its letters along: 1e-3.
-            if (std::isdigit(static_cast<unsigned char>(text[i]))) {
-                while (i < text.size() &&
-                       (std::isalnum(static_cast<unsigned char>(text[i])) || text[i] == '.' ||
-                        ((text[i] == '-' || text[i] == '+') && text[i - 1] == 'e')))
-                    formula += text[i++];
-            } else {
-                formula += text[i++];
+            const std::size_t digits = i;
+            while (i < text.size() && (isDigit(text[i]) || text[i] == '.')) ++i;
+            // A number takes its exponent along: 1e-3.
+            if (i > digits && i < text.size() && text[i] == 'e') {
+                const bool sign = i + 1 < text.size() && (text[i + 1] == '-' || text[i + 1] == '+');
+                std::size_t end = i + (sign ? 2 : 1);
+                if (end < text.size() && isDigit(text[end])) {
+                    while (end < text.size() && isDigit(text[end])) ++end;
+                    i = end;
+                }
             }
+            if (i == digits) ++i;
+            formula += text.substr(digits, i - digits);
             continue;
         }
         std::size_t end = i;
@@ -53,8 +58,7 @@ Expected<Condition> parseCondition(const std::string& text,
             formula += name;
             continue;
         }
-        if (!known(name))
-            return Status::data("\"" + text + "\": there is no number named \"" + name + "\" here");
+        if (!known(name)) return unknown(name);
         const auto found = std::find(condition.names.begin(), condition.names.end(), name);
         formula += "v" + std::to_string(found - condition.names.begin());
         if (found == condition.names.end()) condition.names.push_back(name);
@@ -65,9 +69,13 @@ Expected<Condition> parseCondition(const std::string& text,
     if (!parsed) return Status::data("\"" + text + "\" is no condition: " + fault.message);
     // Constants fold: parameters may be fewer than names, and in another order.
     std::vector<std::string> order;
-    for (const FormulaParameter& parameter : parsed->parameters)
-        order.push_back(
-            condition.names[static_cast<std::size_t>(std::stoi(parameter.name.substr(1)))]);
+    for (const FormulaParameter& parameter : parsed->parameters) {
+        // Letters beyond ASCII are names to the formula's parser.
+        std::size_t k = 0;
+        while (k < condition.names.size() && parameter.name != "v" + std::to_string(k)) ++k;
+        if (k == condition.names.size()) return unknown(parameter.name);
+        order.push_back(condition.names[k]);
+    }
     condition.names = order;
     condition.tape = parsed->tape;
     return condition;

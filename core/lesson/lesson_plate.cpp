@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "i18n/language.h"
 #include "lesson/measures.h"
 #include "lesson/plate_marks.h"
 #include "plate/markup.h"
@@ -18,7 +19,7 @@ namespace {
 std::string markupOf(const std::vector<MarkdownBlock>& blocks) {
     std::string text;
     for (const MarkdownBlock& block : blocks) {
-        if (!text.empty()) text += " ";
+        if (!text.empty()) text += "\\par ";
         if (block.kind == MarkdownBlock::Kind::item)
             text += block.number > 0 ? "(" + std::to_string(block.number) + ") " : "· ";
         for (const TextRun& run : block.runs) {
@@ -38,10 +39,10 @@ std::vector<double> orbitValues(const Workspace& workspace) {
 }
 
 // The orbit of a map of the line as a time series.
-LinePlot seriesOf(const Workspace& workspace) {
+LinePlot seriesOf(const Workspace& workspace, const Words& words) {
     LinePlot plot;
     plot.aspect = 2;
-    plot.x.name = "step";
+    plot.x.name = words.tr("step");
     plot.y.name = stateComponent(mapOf(workspace.views[0]).info, 0);
     PlotLine line;
     line.style = "both";
@@ -54,7 +55,7 @@ LinePlot seriesOf(const Workspace& workspace) {
 }
 
 // The same as a web between the graph of the map and the diagonal.
-LinePlot webOf(const Workspace& workspace) {
+LinePlot webOf(const Workspace& workspace, const Words& words) {
     constexpr int kGraph = 200;
     const std::string x = stateComponent(mapOf(workspace.views[0]).info, 0);
     LinePlot plot;
@@ -81,7 +82,7 @@ LinePlot webOf(const Workspace& workspace) {
     }
     plot.lines = {{"\\italic{f}", "line", graph.x, graph.y},
                   {"", "line", {low, high}, {low, high}},
-                  {"orbit", "line", web.x, web.y}};
+                  {words.tr("orbit"), "line", web.x, web.y}};
     return plot;
 }
 
@@ -113,6 +114,7 @@ void makeDiagram(const Workspace& workspace, PlatePanel& panel, Json& assets) {
 
 // What stands below the views, where a figure can show it.
 std::optional<PlatePanel> stripPanel(const Workspace& workspace, PlateDocument& document) {
+    const Words words(document.plate.language);
     const MapKernels& map = mapOf(workspace.views[0]);
     PlatePanel panel;
     panel.name = static_cast<char>('a' + document.plate.panels.size());
@@ -123,19 +125,20 @@ std::optional<PlatePanel> stripPanel(const Workspace& workspace, PlateDocument& 
             if (map.dimension != 1 || !programNow(orbitScene(workspace))) return {};
             panel.kind = PanelKind::plot;
             const bool web = workspace.strip == Workspace::Strip::web;
-            panel.title = web ? "The orbit as a web" : "The orbit, step by step";
-            panel.plot = web ? webOf(workspace) : seriesOf(workspace);
+            panel.title =
+                web ? words.tr("The orbit as a web") : words.tr("The orbit, step by step");
+            panel.plot = web ? webOf(workspace, words) : seriesOf(workspace, words);
             return panel;
         }
         case Workspace::Strip::diagram:
             if (diagramNumber(workspace).empty()) return {};
-            panel.title = "Bifurcation diagram";
+            panel.title = words.tr("Bifurcation diagram");
             makeDiagram(workspace, panel, document.assets);
             return panel;
         case Workspace::Strip::profile:
             if (!map.info.field) return {};
             panel.kind = PanelKind::profile;
-            panel.title = "Mean of φ over the radius";
+            panel.title = words.tr("Mean of φ over the radius");
             panel.scene =
                 withoutAssets(sceneToJson(workspace.views[workspace.speaker()]), document.assets);
             return panel;
@@ -153,12 +156,12 @@ PlateDocument plateOfStep(const Lesson& lesson, std::size_t step) {
 PlateDocument plateOfStep(const Lesson& lesson, std::size_t step, const Workspace& shown) {
     const LessonStep& what = lesson.steps[step];
     const std::vector<double> aspects(shown.views.size(), 1.0);
-    PlateDocument document = plateOfViews(shown, aspects, !shown.maximised);
+    PlateDocument document = plateOfViews(shown, aspects, !shown.maximised, lesson.language);
     document.plate.title = escapeMarkup(what.title);
     document.plate.caption = markupOf(what.prose);
     if (what.question)
-        document.plate.caption += " \\bold{" + escapeMarkup(what.question->prompt) + "}";
-    if (what.goal) document.plate.caption += " \\bold{" + escapeMarkup(what.goal->text) + "}";
+        document.plate.caption += "\\par \\bold{" + escapeMarkup(what.question->prompt) + "}";
+    if (what.goal) document.plate.caption += "\\par \\bold{" + escapeMarkup(what.goal->text) + "}";
     document.plate.note = "Versorium · " + escapeMarkup(lesson.title) + ", " +
                           std::to_string(step + 1) + " / " + std::to_string(lesson.steps.size());
     // A picture of orbits says little without the number of their steps.
@@ -176,7 +179,7 @@ PlateDocument plateOfStep(const Lesson& lesson, std::size_t step, const Workspac
             for (std::size_t other = 0; other < shown.views.size(); ++other)
                 if (!showsParameters(shown.views[other]))
                     panels[k].marks.push_back({panels[other].name, ""});
-    if (!shown.maximised) markPanels(shown, panels);
+    if (!shown.maximised) markPanels(shown, document.plate);
     return document;
 }
 

@@ -9,8 +9,6 @@
 namespace versorium {
 namespace {
 
-std::string lineText(int line) { return "line " + std::to_string(line); }
-
 // Takes md4c's calls and keeps the blocks. A fault stops the parser.
 class Collector {
   public:
@@ -131,7 +129,8 @@ class Collector {
         if (!blocks.empty() && blocks.back().line == 0) blocks.back().line = at_;
     }
     int fault(const std::string& message) {
-        status = Status::data(at_ > 0 ? lineText(at_) + " or after it: " + message : message);
+        status = Status::data(at_ > 0 ? "line " + std::to_string(at_) + " or after it: " + message
+                                      : message);
         return 1;
     }
 };

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "i18n/language.h"
 #include "lesson/measures.h"
 #include "math/elementary.h"
 
@@ -93,20 +94,21 @@ Curve orbitCurve(const Workspace& workspace) {
     return curve;
 }
 
-void add(PlateOverlay& overlay, const char* name, bool points, std::vector<Curve> curves) {
+void add(PlateOverlay& overlay, const std::string& name, bool points, std::vector<Curve> curves) {
     std::erase_if(curves, [](const Curve& curve) { return curve.empty(); });
     if (!curves.empty()) overlay.parts.push_back({name, points, std::move(curves)});
 }
 
-void markOrbit(const Curve& orbit, const Frame& frame, PlateOverlay& overlay) {
+void markOrbit(const Curve& orbit, const Frame& frame, const Words& words, PlateOverlay& overlay) {
     if (static_cast<int>(orbit.size()) > kMostLineSteps + 1)
-        add(overlay, "orbit", true, {frame.within(orbit)});
+        add(overlay, words.tr("orbit"), true, {frame.within(orbit)});
     else
-        add(overlay, "orbit", false, frame.runs(orbit));
-    if (!orbit.empty()) add(overlay, "start", true, {frame.within({orbit[0]})});
+        add(overlay, words.tr("orbit"), false, frame.runs(orbit));
+    if (!orbit.empty()) add(overlay, words.tr("start"), true, {frame.within({orbit[0]})});
 }
 
-void markCircles(const Workspace& workspace, const Frame& frame, PlateOverlay& overlay) {
+void markCircles(const Workspace& workspace, const Frame& frame, const Words& words,
+                 PlateOverlay& overlay) {
     std::vector<Curve> circles;
     for (const Workspace::Circle& circle : workspace.circles) {
         Curve line;
@@ -117,21 +119,25 @@ void markCircles(const Workspace& workspace, const Frame& frame, PlateOverlay& o
         }
         for (Curve& run : frame.runs(line)) circles.push_back(std::move(run));
     }
-    add(overlay, workspace.circles.size() == 1 ? "circle" : "circles", false, std::move(circles));
+    add(overlay, words.tr(workspace.circles.size() == 1 ? trLater("circle") : trLater("circles")),
+        false, std::move(circles));
 }
 
-void markRoots(const Workspace& workspace, const Frame& frame, PlateOverlay& overlay) {
+void markRoots(const Workspace& workspace, const Frame& frame, const Words& words,
+               PlateOverlay& overlay) {
     if (!workspace.showRoots) return;
     for (const auto& [name, list] : workspace.views[0].lists) {
         Curve places;
         for (const RootList::Root& root : list.roots) places.push_back({root.q[0], root.q[1]});
-        add(overlay, name.c_str(), true, {frame.within(std::move(places))});
+        add(overlay, words.tr(name), true, {frame.within(std::move(places))});
     }
 }
 
 }  // namespace
 
-void markPanels(const Workspace& workspace, std::vector<PlatePanel>& panels) {
+void markPanels(const Workspace& workspace, Plate& plate) {
+    const Words words(plate.language);
+    std::vector<PlatePanel>& panels = plate.panels;
     std::optional<Curve> orbit;
     for (std::size_t k = 0; k < std::min(panels.size(), workspace.views.size()); ++k) {
         const Scene& view = workspace.views[k];
@@ -139,9 +145,9 @@ void markPanels(const Workspace& workspace, std::vector<PlatePanel>& panels) {
         if (!orbit) orbit = orbitCurve(workspace);
         PlateOverlay& overlay = panels[k].overlay;
         const Frame frame(view);
-        markOrbit(*orbit, frame, overlay);
-        markCircles(workspace, frame, overlay);
-        markRoots(workspace, frame, overlay);
+        markOrbit(*orbit, frame, words, overlay);
+        markCircles(workspace, frame, words, overlay);
+        markRoots(workspace, frame, words, overlay);
         const Workspace::Study& study = workspace.study;
         overlay.criticalSet = study.criticalCurve;
         overlay.cycles = study.cycles ? study.mostPeriod : 0;

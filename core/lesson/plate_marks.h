@@ -9,6 +9,6 @@
 namespace versorium {
 
 // The first panels are those of the workspace's views, in their order.
-void markPanels(const Workspace& workspace, std::vector<PlatePanel>& panels);
+void markPanels(const Workspace& workspace, Plate& plate);
 
 }  // namespace versorium

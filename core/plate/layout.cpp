@@ -22,8 +22,9 @@ int wishedColumns(const Plate& plate) {
     return count <= 3 ? count : cells == 4 ? 2 : 3;
 }
 
-PanelContent sceneContent(const PlatePanel& panel, const PanelInfo& info) {
+PanelContent sceneContent(const PlatePanel& panel, const PanelInfo& info, const Words& words) {
     PanelContent content;
+    content.words = words;
     content.aspect = std::clamp(info.aspect, 0.05, 20.0);
     const auto axis = [](const AxisInfo& from, const std::string& label) {
         return PanelAxis{label.empty() ? from.name : label,
@@ -48,6 +49,7 @@ class Composer {
           options_(options),
           source_(source),
           theme_(theme),
+          words_(plate.language),
           m_(metricsFor(options.widthMillimetres, options.dotsPerInch)) {}
 
     Expected<PlatePicture> compose() {
@@ -96,14 +98,14 @@ class Composer {
         for (const PlatePanel& panel : plate_.panels) {
             PanelInfo info;
             if (panel.kind == PanelKind::plot) {
-                contents_.push_back(plotContent(panel.plot, theme_));
+                contents_.push_back(plotContent(panel.plot, words_, theme_));
                 info.description = describePlot(panel.plot);
             } else if (panel.kind == PanelKind::profile) {
                 auto plotted = source_.profile(panel.scene, panel.profile);
                 if (!plotted) return plotted.status().in("panel " + panel.name);
                 profiles_.push_back(std::move(plotted->first));
                 info = std::move(plotted->second);
-                contents_.push_back(plotContent(profiles_.back(), theme_));
+                contents_.push_back(plotContent(profiles_.back(), words_, theme_));
             } else {
                 Expected<PanelInfo> described =
                     panel.kind == PanelKind::diagram
@@ -111,7 +113,7 @@ class Composer {
                         : source_.describe(panel.scene);
                 if (!described) return described.status().in("panel " + panel.name);
                 info = *std::move(described);
-                contents_.push_back(sceneContent(panel, info));
+                contents_.push_back(sceneContent(panel, info, words_));
                 if (panel.kind == PanelKind::diagram && panel.keys) diagramLegend(panel.diagram);
             }
             infoAxes_.emplace_back(info.x, info.y);
@@ -126,9 +128,10 @@ class Composer {
             contents_.back().legend.push_back(
                 {.colour = seriesLook(theme_, k).colour,
                  .line = {},
-                 .text = "period " + std::to_string(diagram.periods[k])});
+                 .text = words_.tr("period {1}", {std::to_string(diagram.periods[k])})});
         if (!diagram.periods.empty())
-            contents_.back().legend.push_back({.colour = theme_.text, .line = {}, .text = "other"});
+            contents_.back().legend.push_back(
+                {.colour = theme_.text, .line = {}, .text = words_.tr("other")});
     }
 
     Status overlay() {
@@ -158,8 +161,8 @@ class Composer {
                                               .points = part.points,
                                               .text = part.name});
                 }
-                descriptions_[i] += (k == 0 ? " Over it: " : ", ") + part.name +
-                                    (k + 1 == parts->size() ? "." : "");
+                descriptions_[i] += (k == 0 ? " " + words_.tr("Over it:") + " " : ", ") +
+                                    part.name + (k + 1 == parts->size() ? "." : "");
                 content.overlay.push_back(std::move(drawn));
             }
         }
@@ -183,9 +186,10 @@ class Composer {
                 const SeriesLook look = seriesLook(theme_, k);
                 contents_[static_cast<std::size_t>(of - plate_.panels.begin())].sign = look;
                 PanelContent& content = contents_[i];
-                descriptions_[i] += std::string(k == 0 ? " Marked: " : ", ") + "(" + of->name +
-                                    ") at (" + formatNumber((*at)[0], 6) + ", " +
-                                    formatNumber((*at)[1], 6) + ")" +
+                descriptions_[i] += (k == 0 ? " " + words_.tr("Marked:") + " " : ", ") +
+                                    words_.tr("({1}) at ({2}, {3})",
+                                              {of->name, words_.number(formatNumber((*at)[0], 6)),
+                                               words_.number(formatNumber((*at)[1], 6))}) +
                                     (k + 1 == panel.marks.size() ? "." : "");
                 const auto& x = infoAxes_[i].first;
                 const auto& y = infoAxes_[i].second;
@@ -198,8 +202,8 @@ class Composer {
         return {};
     }
 
-    static std::string describePlot(const LinePlot& plot) {
-        std::string text = "Line plot of " + plot.y.name + " against " + plot.x.name;
+    std::string describePlot(const LinePlot& plot) const {
+        std::string text = words_.tr("Line plot of {1} against {2}", {plot.y.name, plot.x.name});
         for (std::size_t i = 0; i < plot.lines.size(); ++i)
             if (!plot.lines[i].name.empty()) text += (i == 0 ? ": " : ", ") + plot.lines[i].name;
         return plainText(text) + ".";
@@ -301,7 +305,7 @@ class Composer {
     std::string alternative() const {
         const std::size_t count = plate_.panels.size();
         std::string text = title_.empty() ? "" : plainText(title_) + ". ";
-        if (count > 1) text += std::to_string(count) + " panels.";
+        if (count > 1) text += words_.tr("{1} panels.", {std::to_string(count)});
         for (std::size_t i = 0; i < count; ++i) {
             if (count > 1) text += " (" + plate_.panels[i].name + ")";
             if (!titles_[i].empty()) text += " " + plainText(titles_[i]) + ".";
@@ -314,6 +318,7 @@ class Composer {
     const PlateOptions& options_;
     const PanelSource& source_;
     const Theme& theme_;
+    Words words_;
     Metrics m_;
     double width_ = 0, margin_ = 0;
     std::deque<LinePlot> profiles_;  // contents point to them

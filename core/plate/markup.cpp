@@ -92,7 +92,13 @@ class Parser {
             out.push_back(std::move(hat));
             return {};
         }
-        return fault("unknown command; there are \\hat{…}, \\bold{…}, _{…}, ^{…} and \\\\");
+        if (rest.starts_with("par") && (rest.size() == 3 || rest[3] == ' ')) {
+            if (depth > 0) return fault("a paragraph cannot begin within braces");
+            at_ += rest.size() == 3 ? 4 : 5;
+            out.push_back({.kind = MarkupItem::Kind::paragraph, .upper = {}, .lower = {}});
+            return {};
+        }
+        return fault("unknown command; there are \\hat{…}, \\bold{…}, \\par, _{…}, ^{…} and \\\\");
     }
 
     bool next(char32_t& letter) {
@@ -133,6 +139,9 @@ void appendPlain(std::string& out, const Markup& markup) {
             case MarkupItem::Kind::letter:
             case MarkupItem::Kind::space:
                 appendUtf8(out, item.letter);
+                break;
+            case MarkupItem::Kind::paragraph:
+                out += "\n\n";
                 break;
             case MarkupItem::Kind::hat:
                 appendPlain(out, item.upper);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // A small markup for mathematics in running text: x_{i}, e^{α(φ−β)}, \hat{r}, \bold{…}, nested as
-// deep as needed. A backslash before _ ^ { } or \ takes the sign itself; an underscore or caret
-// without a brace stands for itself, so that names such as escape_step need no care. Everything
-// else is UTF-8; a letter followed by U+0302 is the same as \hat{letter}.
+// deep as needed; \par begins a new paragraph, outside of braces. A backslash before _ ^ { } or
+// \ takes the sign itself; an underscore or caret without a brace stands for itself, so that names
+// such as escape_step need no care. Everything else is UTF-8; a letter followed by U+0302 is the
+// same as \hat{letter}.
 
 #include <string>
 #include <string_view>
@@ -14,7 +15,7 @@
 namespace versorium {
 
 struct MarkupItem {
-    enum class Kind { letter, space, script, hat };
+    enum class Kind { letter, space, script, hat, paragraph };
     Kind kind = Kind::letter;
     char32_t letter = 0;            // letter
     bool bold = false;              // letter, space

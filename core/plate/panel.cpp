@@ -59,7 +59,7 @@ class Builder {
     // dearer than height.
     double turnedRoom() const { return std::max(height_ + 3 * m_.label, 12 * m_.label); }
     TextBlock tickBlock(const std::string& label) const {
-        return layoutText(label, style(m_.tick));
+        return layoutText(content_.words.number(label), style(m_.tick));
     }
     void put(const std::string& name, const TextBlock& block, double x, double y,
              const Colour& colour, bool turned = false) {
@@ -162,7 +162,7 @@ class Builder {
                 left + 0.5 * (m_.lineWidth - block.width), top, theme_.text);
             bottom = std::max(bottom, placedInk(block, 0, top).bottom);
         }
-        return axisName(axis.name, set);
+        return axisName(axis.name, set, content_.words);
     }
 
     // In the middle below the picture. A long name may use the room below the y axis and the bar
@@ -223,7 +223,7 @@ class Builder {
         const TickSet set = verticalTickSet(axis.scale);
         Box ink;
         verticalTicks(set, "y tick ", -m_.lineWidth, true, ink);
-        const std::string name = axisName(axis.name, set);
+        const std::string name = axisName(axis.name, set, content_.words);
         if (name.empty()) return;
         // Left of everything so far: labels of both axes. Above and below, the corner is free.
         const double right = std::floor(sheet_.extent().left - 0.45 * m_.label);
@@ -247,7 +247,7 @@ class Builder {
             [&](const std::string& label) { return tickBlock(label).ink.height(); }, true);
         Box ink;
         verticalTicks(set, "bar tick ", edge, false, ink);
-        const std::string text = axisName(name, set);
+        const std::string text = axisName(name, set, content_.words);
         if (text.empty()) return;
         const double right = ink.empty() ? edge + m_.tickLength : ink.right;
         TextBlock block = layoutText(text, style(m_.label));

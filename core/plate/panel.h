@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "i18n/language.h"
 #include "plate/sheet.h"
 #include "plate/theme.h"
 
@@ -48,6 +49,7 @@ struct LegendRow {
 };
 
 struct PanelContent {
+    Words words;         // of the numbers and names along the axes
     std::string letter;  // "(a)", or empty
     std::string title;   // markup
     double aspect = 1;
@@ -67,7 +69,7 @@ Sheet buildPanel(const PanelContent& content, Size picture, double headingRight,
                  const Metrics& metrics, const Theme& theme);
 
 // The content of a line plot: axes from its data, a legend of its lines.
-PanelContent plotContent(const LinePlot& plot, const Theme& theme);
+PanelContent plotContent(const LinePlot& plot, const Words& words, const Theme& theme);
 SeriesLook seriesLook(const Theme& theme, std::size_t index);
 void drawPlot(Canvas& canvas, const LinePlot& plot, const PanelContent& content, const Box& frame,
               const Metrics& metrics, const Theme& theme);

@@ -127,6 +127,9 @@ struct Plate {
     static constexpr std::size_t kPointLimit = 100000;  // of all lines of one panel
     static constexpr std::size_t kMarkLimit = 6;        // of one panel
 
+    // ISO 639-1, of its texts: keys, names of axes and numbers are written accordingly, in English
+    // where the program does not speak it (i18n/language.h).
+    std::string language = "en";
     std::string title, caption, note;
     int columns = 0;  // 0: by the number of panels
     std::vector<PlatePanel> panels;

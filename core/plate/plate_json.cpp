@@ -333,6 +333,7 @@ Expected<Plate> plateFromJson(const Json& value) {
         return Status::data("version: this plate needs a newer program: it is version " +
                             std::to_string(version) + ", known here is " +
                             std::to_string(Plate::kVersion));
+    reader.text("language", plate.language);
     readMarkup(reader, "title", plate.title);
     readMarkup(reader, "caption", plate.caption);
     readMarkup(reader, "note", plate.note);
@@ -369,6 +370,7 @@ Expected<Plate> plateFromJson(const Json& value) {
 Json plateToJson(const Plate& plate) {
     Json value;
     value["version"] = Plate::kVersion;
+    value["language"] = plate.language;
     value["title"] = plate.title;
     value["caption"] = plate.caption;
     value["note"] = plate.note;

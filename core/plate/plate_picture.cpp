@@ -126,9 +126,10 @@ Expected<PlateFile> renderPlate(CpuRenderer& renderer, const PlateDocument& docu
         std::count_if(document.plate.panels.begin(), document.plate.panels.end(),
                       [](const PlatePanel& panel) { return panel.kind == PanelKind::scene; });
     job.setPart(0, 0);  // until the first panel is drawn
-    Expected<PlatePicture> picture = layoutPlate(
-        document.plate, document.options,
-        scenePanels(renderer, document.assets, job, std::max(1, static_cast<int>(panels))));
+    Expected<PlatePicture> picture =
+        layoutPlate(document.plate, document.options,
+                    scenePanels(renderer, document.assets, Words(document.plate.language), job,
+                                std::max(1, static_cast<int>(panels))));
     if (!picture) return picture.status();
     PngOptions png;
     png.dotsPerInch = picture->dotsPerInch;

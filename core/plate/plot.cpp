@@ -123,7 +123,7 @@ SeriesLook seriesLook(const Theme& theme, std::size_t index) {
     return {theme.series[index % count], kDashes[other], static_cast<int>(other)};
 }
 
-PanelContent plotContent(const LinePlot& plot, const Theme& theme) {
+PanelContent plotContent(const LinePlot& plot, const Words& words, const Theme& theme) {
     double low[2] = {1e308, 1e308}, high[2] = {-1e308, -1e308};
     for (const PlotLine& line : plot.lines)
         for (std::size_t i = 0; i < line.x.size(); ++i) {
@@ -134,6 +134,7 @@ PanelContent plotContent(const LinePlot& plot, const Theme& theme) {
             high[1] = std::max(high[1], line.y[i]);
         }
     PanelContent content;
+    content.words = words;
     content.plot = &plot;
     content.aspect = plot.aspect;
     content.x = PanelAxis{plot.x.name, axisScale(plot.x, low[0], high[0])};

@@ -18,32 +18,34 @@ namespace versorium {
 namespace {
 
 // With a true minus sign.
-std::string number(double value) {
-    std::string text = formatNumber(value, 6);
+std::string number(double value, const Words& words) {
+    std::string text = words.number(formatNumber(value, 6));
     if (!text.empty() && text[0] == '-') text.replace(0, 1, "\u2212");
     return text;
 }
 
-std::string complexNumber(double re, double im) {
-    if (im == 0) return number(re);
+std::string complexNumber(double re, double im, const Words& words) {
+    if (im == 0) return number(re, words);
     const double size = im < 0 ? -im : im;
-    const std::string imaginary = size == 1 ? "i" : number(size) + "i";
+    const std::string imaginary = size == 1 ? "i" : number(size, words) + "i";
     if (re == 0) return (im < 0 ? "\u2212" : "") + imaginary;
-    return number(re) + (im < 0 ? " \u2212 " : " + ") + imaginary;
+    return number(re, words) + (im < 0 ? " \u2212 " : " + ") + imaginary;
 }
 
-std::string valueText(const ParameterInfo& parameter, const std::vector<double>& value) {
-    if (parameter.kind == ParameterKind::complex) return complexNumber(value[0], value[1]);
-    if (value.size() == 1) return number(value[0]);
+std::string valueText(const ParameterInfo& parameter, const std::vector<double>& value,
+                      const Words& words) {
+    if (parameter.kind == ParameterKind::complex) return complexNumber(value[0], value[1], words);
+    if (value.size() == 1) return number(value[0], words);
     std::string text = "(";
-    for (std::size_t k = 0; k < value.size(); ++k) text += (k > 0 ? ", " : "") + number(value[k]);
+    for (std::size_t k = 0; k < value.size(); ++k)
+        text += (k > 0 ? words.separator() : "") + number(value[k], words);
     return text + ")";
 }
 
 // "z.re" -> "Re z", "g.b1" -> "b_{1}^{g}", "q.w" -> "w", "roots[2].re" -> "Re roots_{2}".
-std::string axisName(const std::string& name) {
+std::string axisName(const std::string& name, const Words& words) {
     const std::size_t dot = name.rfind('.');
-    if (dot == std::string::npos) return name == "power" ? "exponent d" : name;
+    if (dot == std::string::npos) return name == "power" ? words.tr("exponent d") : name;
     std::string owner = name.substr(0, dot);
     const std::string part = name.substr(dot + 1);
     if (const std::size_t open = owner.find('['); open != std::string::npos)
@@ -60,53 +62,81 @@ std::string axisName(const std::string& name) {
     return owner + "_{" + part + "}";
 }
 
-std::string axisLabel(const SliceAxis& axis) {
+std::string axisLabel(const SliceAxis& axis, const Words& words) {
     std::string label;
     for (const auto& [name, weight] : axis.terms) {
         if (!label.empty()) label += weight < 0 ? " \u2212 " : " + ";
         const double size = label.empty() ? weight : weight < 0 ? -weight : weight;
-        if (size != 1) label += number(size) + " ";
-        label += axisName(name);
+        if (size != 1) label += number(size, words) + " ";
+        label += axisName(name, words);
     }
     return label;
 }
 
-std::map<std::string, std::string> factsOf(const Scene& scene, const OrbitProgram& program) {
+std::map<std::string, std::string> factsOf(const Scene& scene, const OrbitProgram& program,
+                                           const Words& words) {
     std::map<std::string, std::string> facts;
     const MapInfo& info = program.map->info;
-    facts["map"] = std::string(info.title);
+    facts["map"] = words.tr(info.title);
     facts["iterations"] = std::to_string(scene.iterations);
-    facts["escape_radius"] = number(program.escapeRadius);
-    facts["height"] = number(scene.slice.height);
-    facts["iso"] = number(scene.iso);
+    facts["escape_radius"] = number(program.escapeRadius, words);
+    facts["height"] = number(scene.slice.height, words);
+    facts["iso"] = number(scene.iso, words);
     facts["shape"] = shapeName(scene, scene.shape.source);
     for (const ParameterInfo& parameter : info.parameters) {
         const std::string name(parameter.name);
-        facts[name] = valueText(parameter, scene.parameters.at(name));
+        facts[name] = valueText(parameter, scene.parameters.at(name), words);
     }
     for (int k = 0; k < program.map->parameters; ++k)
         facts[parameterComponent(info, k)] =
-            number(numberValue(scene, {NumberKind::parameter, k, {}, 0, 0, 0}));
+            number(numberValue(scene, {NumberKind::parameter, k, {}, 0, 0, 0}), words);
     for (int k = 0; k < program.map->dimension; ++k)
-        facts[stateComponent(info, k)] = number(scene.start[static_cast<std::size_t>(k)]);
+        facts[stateComponent(info, k)] = number(scene.start[static_cast<std::size_t>(k)], words);
     for (const auto& [name, list] : scene.lists) facts[name] = std::to_string(list.roots.size());
     const EnsembleSpec& ensemble = scene.ensemble;
     facts["members"] = std::to_string(ensemble.count);
     facts["seed"] = std::to_string(ensemble.seed);
     if (ensemble.roots) {
         const RandomRoots& draw = ensemble.roots->draw;
-        facts["drawn"] = std::to_string(draw.least) +
-                         (draw.most > draw.least ? " to " + std::to_string(draw.most) : "");
-        facts["powers"] = number(draw.lowPower) + " to " + number(draw.highPower);
+        const auto range = [&](const std::string& least, const std::string& most) {
+            return least == most ? least : words.tr("{1} to {2}", {least, most});
+        };
+        facts["drawn"] = range(std::to_string(draw.least), std::to_string(draw.most));
+        facts["powers"] = range(number(draw.lowPower, words), number(draw.highPower, words));
     }
     return facts;
 }
 
+const char* cyclesCalled(CycleKind kind) {
+    switch (kind) {
+        case CycleKind::attracting:
+            return trLater("attracting cycle");
+        case CycleKind::saddle:
+            return trLater("saddle");
+        case CycleKind::repelling:
+            return trLater("repelling cycle");
+        default:
+            return trLater("neutral cycle");
+    }
+}
+
+// What the picture shows by its colours.
+std::string colouringWords(const Colouring& colour, const Words& words) {
+    if (colour.rule == "gradient") return words.tr("coloured by the escape step");
+    if (colour.rule == "versor") return words.tr("coloured by the versor");
+    if (colour.rule == "phase") return words.tr("coloured by the argument");
+    if (colour.rule == "domain")
+        return words.tr(
+            "coloured by the argument, with edges where the modulus is a power of 2 and the "
+            "argument a multiple of π/6");
+    return words.tr("coloured by the field {1}", {colour.field});
+}
+
 }  // namespace
 
-std::string sceneSentence(const Scene& scene) {
+std::string sceneSentence(const Scene& scene, const Words& words) {
     const MapInfo& info = mapOf(scene).info;
-    std::string text = std::string(info.title) + ", " + std::string(info.formula);
+    std::string text = words.tr(info.title) + ", " + words.tr(info.formula);
     std::string values;
     for (const ParameterInfo& parameter : info.parameters) {
         const std::string name(parameter.name);
@@ -117,33 +147,34 @@ std::string sceneSentence(const Scene& scene) {
         for (const SliceAxis& axis : scene.slice.axes)
             for (const auto& [term, weight] : axis.terms)
                 sliced = sliced || term == name || term.starts_with(name + ".");
-        if (!sliced && !zero) values += ", " + name + " = " + valueText(parameter, value);
+        if (!sliced && !zero)
+            values += words.separator() + name + " = " + valueText(parameter, value, words);
     }
-    if (info.field) values += "; shape: " + shapeName(scene, scene.shape.source);
+    if (info.field) values += "; " + words.tr("shape: {1}", {shapeName(scene, scene.shape.source)});
     for (const auto& [name, spec] :
          {std::pair{"alpha", &scene.alphaOverSpace}, std::pair{"beta", &scene.betaOverSpace}})
         if (info.field && spec->modulates())
-            values += std::string(", ") + name + " differs over space" +
-                      (spec->discs.empty() ? "" : " as painted");
-    text += values + "; on the plane of ";
-    for (std::size_t k = 0; k < scene.slice.axes.size(); ++k)
-        text += (k > 0 ? " and " : "") + axisLabel(scene.slice.axes[k]);
-    text += ", height " + number(scene.slice.height) + "; " + std::to_string(scene.iterations) +
-            " iterations; ";
-    text += scene.colour.rule == "gradient" ? "coloured by the escape step"
-            : scene.colour.rule == "versor" ? "coloured by the versor"
-            : scene.colour.rule == "phase"  ? "coloured by the argument"
-            : scene.colour.rule == "domain" ? "coloured by the argument, with edges where the "
-                                              "modulus is a power of 2 and the argument a multiple "
-                                              "of π/6"
-                                            : "coloured by the field " + scene.colour.field;
+            values += words.separator() +
+                      (spec->discs.empty() ? words.tr("{1} differs over space", {name})
+                                           : words.tr("{1} differs over space as painted", {name}));
+    std::string axes;
+    for (const SliceAxis& axis : scene.slice.axes) {
+        const std::string label = axisLabel(axis, words);
+        axes = axes.empty() ? label : words.tr("{1} and {2}", {axes, label});
+    }
+    text += values + "; " +
+            words.tr("on the plane of {1}, height {2}", {axes, number(scene.slice.height, words)}) +
+            "; " + words.tr("{1} iterations", {std::to_string(scene.iterations)}) + "; " +
+            colouringWords(scene.colour, words);
     if (scene.ensemble.varies())
-        text += "; an ensemble of " + std::to_string(scene.ensemble.count) + " maps, seed " +
-                std::to_string(scene.ensemble.seed);
+        text += "; " + words.tr("an ensemble of {1} maps, seed {2}",
+                                {std::to_string(scene.ensemble.count),
+                                 std::to_string(scene.ensemble.seed)});
     return text + ".";
 }
 
-Expected<PanelInfo> describeScene(CpuRenderer& renderer, const Scene& scene, Job& job) {
+Expected<PanelInfo> describeScene(CpuRenderer& renderer, const Scene& scene, const Words& words,
+                                  Job& job) {
     Expected<OrbitProgram> program = renderer.binder().bind(scene, job);
     if (!program) return program.status();
     Expected<ColourPass> pass = ColourPass::make(scene, *program);
@@ -153,8 +184,10 @@ Expected<PanelInfo> describeScene(CpuRenderer& renderer, const Scene& scene, Job
     const double halfHeight = 0.5 * scene.slice.height, halfWidth = halfHeight * scene.aspect;
     if (scene.slice.axes.size() >= 2) {
         const auto& centre = scene.slice.centre;
-        info.x = {axisLabel(scene.slice.axes[0]), centre[0] - halfWidth, centre[0] + halfWidth};
-        info.y = {axisLabel(scene.slice.axes[1]), centre[1] - halfHeight, centre[1] + halfHeight};
+        info.x = {axisLabel(scene.slice.axes[0], words), centre[0] - halfWidth,
+                  centre[0] + halfWidth};
+        info.y = {axisLabel(scene.slice.axes[1], words), centre[1] - halfHeight,
+                  centre[1] + halfHeight};
     }
     const Colouring& colouring = scene.colour;
     if (colouring.rule == "versor") {
@@ -164,31 +197,34 @@ Expected<PanelInfo> describeScene(CpuRenderer& renderer, const Scene& scene, Job
         const bool twoValued =
             field.field == FieldName::membership || field.field == FieldName::solid;
         if (twoValued)
-            info.legend = {{pass->palette().at(1), "inside"}, {pass->palette().at(0), "outside"}};
+            info.legend = {{pass->palette().at(1), words.tr("inside")},
+                           {pass->palette().at(0), words.tr("outside")}};
         else
             info.bar = ColourBar{pass->scale().kind == ScaleKind::truncatedLog
-                                     ? "ln of the " + std::string(field.label)
-                                     : std::string(field.label),
+                                     ? words.tr("ln of the {1}", {words.tr(field.label)})
+                                     : words.tr(field.label),
                                  pass->scale(), pass->palette()};
         if (colouring.rule == "palette" && colouring.interior != "none" && !twoValued)
             info.legend.push_back({pass->palette().interior, colouring.interior == "solid"
-                                                                 ? "solid set"
-                                                                 : "members after N"});
+                                                                 ? words.tr("solid set")
+                                                                 : words.tr("members after N")});
     } else {
-        info.legend = {{gradientColour(colouring.escaped, 0), "escapes at once"},
-                       {gradientColour(colouring.escaped, 1), "escapes late"},
-                       {gradientColour(colouring.attracted, 0), "attracted"}};
-        if (!(colouring.attracted.start == colouring.attracted.finish))
-            info.legend.back().text = "attracted at once",
-            info.legend.push_back({gradientColour(colouring.attracted, 1), "attracted late"});
+        info.legend = {{gradientColour(colouring.escaped, 0), words.tr("escapes at once")},
+                       {gradientColour(colouring.escaped, 1), words.tr("escapes late")},
+                       {gradientColour(colouring.attracted, 0), words.tr("attracted")}};
+        if (!(colouring.attracted.start == colouring.attracted.finish)) {
+            info.legend.back().text = words.tr("attracted at once");
+            info.legend.push_back(
+                {gradientColour(colouring.attracted, 1), words.tr("attracted late")});
+        }
     }
-    info.description = sceneSentence(scene);
-    info.facts = factsOf(scene, *program);
+    info.description = sceneSentence(scene, words);
+    info.facts = factsOf(scene, *program, words);
     return info;
 }
 
 Expected<PanelInfo> describeDiagram(CpuRenderer& renderer, const Scene& scene,
-                                    const DiagramPlot& plot, Job& job) {
+                                    const DiagramPlot& plot, const Words& words, Job& job) {
     Expected<OrbitProgram> program =
         programAlong(renderer.binder(), scene, {{{plot.parameter, 1}}}, job);
     if (!program) return program.status();
@@ -198,14 +234,15 @@ Expected<PanelInfo> describeDiagram(CpuRenderer& renderer, const Scene& scene,
                              std::to_string(program->map->dimension) + " numbers");
     PanelInfo panel;
     panel.aspect = plot.aspect;
-    panel.x = {axisName(plot.parameter), plot.from, plot.to};
-    panel.y = {axisName(stateComponent(info, plot.component)), plot.low, plot.high};
-    panel.facts = factsOf(scene, *program);
+    panel.x = {axisName(plot.parameter, words), plot.from, plot.to};
+    panel.y = {axisName(stateComponent(info, plot.component), words), plot.low, plot.high};
+    panel.facts = factsOf(scene, *program, words);
     panel.facts["transient"] = std::to_string(plot.transient);
     panel.facts["points"] = std::to_string(plot.points);
-    panel.description = "Bifurcation diagram: the attractor of " + std::string(info.title) + ", " +
-                        std::string(info.formula) + ", against " + plot.parameter + " from " +
-                        number(plot.from) + " to " + number(plot.to) + ".";
+    panel.description =
+        words.tr("Bifurcation diagram: the attractor of {1}, {2}, against {3} from {4} to {5}.",
+                 {words.tr(info.title), words.tr(info.formula), plot.parameter,
+                  number(plot.from, words), number(plot.to, words)});
     return panel;
 }
 
@@ -229,7 +266,8 @@ Expected<DiagramPicture> drawDiagram(CpuRenderer& renderer, const Scene& scene,
 }
 
 Expected<std::pair<LinePlot, PanelInfo>> plotProfile(CpuRenderer& renderer, const Scene& scene,
-                                                     const ProfilePlot& spec, Job& job) {
+                                                     const ProfilePlot& spec, const Words& words,
+                                                     Job& job) {
     Expected<RadialProfile> profile =
         shapeProfile(renderer.binder(), scene, spec.to, spec.radii, job);
     if (!profile) return profile.status();
@@ -239,8 +277,8 @@ Expected<std::pair<LinePlot, PanelInfo>> plotProfile(CpuRenderer& renderer, cons
     const double to = profile->radius.back();
     LinePlot plot;
     plot.aspect = spec.aspect;
-    plot.x = {.name = "radius r", .low = 0, .high = to};
-    plot.y.name = planar ? "on the circle |z| = r" : "on the sphere |q| = r";
+    plot.x = {.name = words.tr("radius r"), .low = 0, .high = to};
+    plot.y.name = planar ? words.tr("on the circle |z| = r") : words.tr("on the sphere |q| = r");
     // r̂ grows without bound: the plot ends where φ does.
     double low = 0, high = to;
     for (double mean : profile->mean) {
@@ -249,26 +287,35 @@ Expected<std::pair<LinePlot, PanelInfo>> plotProfile(CpuRenderer& renderer, cons
     }
     plot.y.low = low - 0.05 * (high - low);
     plot.y.high = high;
-    plot.lines = {{"mean of φ", "line", profile->radius, profile->mean},
-                  {"r\u0302 = e^{α(mean φ−β)}", "line", profile->radius, profile->modulus},
-                  {"r\u0302 = r", "line", {0, to}, {0, to}}};
+    plot.lines = {
+        {words.tr("mean of φ"), "line", profile->radius, profile->mean},
+        {words.tr("r\u0302 = e^{α(mean φ−β)}"), "line", profile->radius, profile->modulus},
+        {"r\u0302 = r", "line", {0, to}, {0, to}}};
     const auto mark = [&](const std::string& name, double radius) {
         if (radius > 0 && radius <= to)
             plot.lines.push_back({name, "line", {radius, radius}, {*plot.y.low, high}});
     };
-    mark("capture is certain below " + number(profile->capture), profile->capture);
+    mark(words.tr("capture is certain below {1}", {number(profile->capture, words)}),
+         profile->capture);
     if (profile->escape < program->escapeRadius)
-        mark("escape is certain above " + number(profile->escape), profile->escape);
+        mark(words.tr("escape is certain above {1}", {number(profile->escape, words)}),
+             profile->escape);
     PanelInfo info;
     info.aspect = spec.aspect;
-    info.facts = factsOf(scene, *program);
-    info.facts["capture"] = number(profile->capture);
-    info.facts["escape"] = number(profile->escape);
-    info.description = std::string("Mean of the distance field of ") + info.facts["shape"] +
-                       (planar ? " over the circle" : " over the sphere") +
-                       " of radius r against r from 0 to " + number(to) +
-                       ". Capture is certain below " + number(profile->capture) +
-                       ", escape above " + number(profile->escape) + ".";
+    info.facts = factsOf(scene, *program, words);
+    info.facts["capture"] = number(profile->capture, words);
+    info.facts["escape"] = number(profile->escape, words);
+    const std::initializer_list<std::string> said = {info.facts["shape"], number(to, words),
+                                                     info.facts["capture"], info.facts["escape"]};
+    info.description =
+        planar ? words.tr(
+                     "Mean of the distance field of {1} over the circle of radius r against r "
+                     "from 0 to {2}. Capture is certain below {3}, escape above {4}.",
+                     said)
+               : words.tr(
+                     "Mean of the distance field of {1} over the sphere of radius r against r "
+                     "from 0 to {2}. Capture is certain below {3}, escape above {4}.",
+                     said);
     return std::pair{std::move(plot), std::move(info)};
 }
 
@@ -290,7 +337,8 @@ Expected<std::array<double, 2>> locateScene(const Scene& scene, const Scene& oth
 }
 
 Expected<std::vector<OverlayPart>> overlayOf(CpuRenderer& renderer, const Scene& scene,
-                                             const PlateOverlay& overlay, Job& job) {
+                                             const PlateOverlay& overlay, const Words& words,
+                                             Job& job) {
     std::vector<OverlayPart> parts = overlay.parts;
     if (!overlay.computed()) return parts;
     if (mapOf(scene).dimension != 2 || !isDynamicalPlane(scene))
@@ -300,7 +348,7 @@ Expected<std::vector<OverlayPart>> overlayOf(CpuRenderer& renderer, const Scene&
     const double half = 0.5 * scene.slice.height, across = half * scene.aspect;
     const double x = scene.slice.centre[0], y = scene.slice.centre[1];
     const Window window{x - across, x + across, y - half, y + half};
-    const auto add = [&](const char* name, bool points, std::vector<Polyline> curves) {
+    const auto add = [&](const std::string& name, bool points, std::vector<Polyline> curves) {
         if (!curves.empty() && !curves[0].empty())
             parts.push_back({name, points, std::move(curves)});
     };
@@ -320,8 +368,8 @@ Expected<std::vector<OverlayPart>> overlayOf(CpuRenderer& renderer, const Scene&
         if (both->stable)
             stable.insert(stable.end(), both->stable->curves.begin(), both->stable->curves.end());
     }
-    add("stable manifold", false, std::move(stable));
-    add("unstable manifold", false, std::move(unstable));
+    add(words.tr("stable manifold"), false, std::move(stable));
+    add(words.tr("unstable manifold"), false, std::move(unstable));
     if (overlay.criticalSet) {
         Expected<CriticalSet> set = criticalSet(*system, window, {}, job);
         if (!set) return set.status();
@@ -335,22 +383,19 @@ Expected<std::vector<OverlayPart>> overlayOf(CpuRenderer& renderer, const Scene&
             if (cycle.kind == kind && cycle.period <= overlay.cycles)
                 for (const PlanePoint& point : cycle.points)
                     if (window.contains(point[0], point[1])) points.push_back(point);
-        add(kind == CycleKind::attracting  ? "attracting cycle"
-            : kind == CycleKind::saddle    ? "saddle"
-            : kind == CycleKind::repelling ? "repelling cycle"
-                                           : "neutral cycle",
-            true, {points});
+        add(words.tr(cyclesCalled(kind)), true, {points});
     }
     return parts;
 }
 
-PanelSource scenePanels(CpuRenderer& renderer, const Json& assets, Job& job, int panels) {
+PanelSource scenePanels(CpuRenderer& renderer, const Json& assets, const Words& words, Job& job,
+                        int panels) {
     PanelSource source;
     const auto drawn = std::make_shared<int>(0);
-    source.describe = [&renderer, assets, &job](const Json& json) -> Expected<PanelInfo> {
+    source.describe = [&renderer, assets, words, &job](const Json& json) -> Expected<PanelInfo> {
         Expected<Scene> scene = sceneWithAssets(json, assets);
         if (!scene) return scene.status();
-        return describeScene(renderer, *scene, job);
+        return describeScene(renderer, *scene, words, job);
     };
     source.draw = [&renderer, assets, &job, panels, drawn](
                       const Json& json, Size pixels, double lineWidth) -> Expected<Raster<float>> {
@@ -365,28 +410,28 @@ PanelSource scenePanels(CpuRenderer& renderer, const Json& assets, Job& job, int
             return status;
         return std::move(frame.colour);
     };
-    source.describeDiagram = [&renderer, assets, &job](
+    source.describeDiagram = [&renderer, assets, words, &job](
                                  const Json& json, const DiagramPlot& plot) -> Expected<PanelInfo> {
         Expected<Scene> scene = sceneWithAssets(json, assets);
-        return scene ? describeDiagram(renderer, *scene, plot, job) : scene.status();
+        return scene ? describeDiagram(renderer, *scene, plot, words, job) : scene.status();
     };
     source.drawDiagram = [&renderer, assets, &job](const Json& json, const DiagramPlot& plot,
                                                    Size pixels) -> Expected<DiagramPicture> {
         Expected<Scene> scene = sceneWithAssets(json, assets);
         return scene ? drawDiagram(renderer, *scene, plot, pixels, job) : scene.status();
     };
-    source.overlay = [&renderer, assets, &job](
+    source.overlay = [&renderer, assets, words, &job](
                          const Json& json,
                          const PlateOverlay& overlay) -> Expected<std::vector<OverlayPart>> {
         Expected<Scene> scene = sceneWithAssets(json, assets);
-        return scene ? overlayOf(renderer, *scene, overlay, job) : scene.status();
+        return scene ? overlayOf(renderer, *scene, overlay, words, job) : scene.status();
     };
-    source.profile = [&renderer, assets, &job](
+    source.profile = [&renderer, assets, words, &job](
                          const Json& json,
                          const ProfilePlot& plot) -> Expected<std::pair<LinePlot, PanelInfo>> {
         Expected<Scene> scene = sceneWithAssets(json, assets);
         if (!scene) return scene.status();
-        return plotProfile(renderer, *scene, plot, job);
+        return plotProfile(renderer, *scene, plot, words, job);
     };
     source.locate = [assets](const Json& json,
                              const Json& otherJson) -> Expected<std::array<double, 2>> {

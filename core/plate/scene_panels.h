@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The renderer's side of the seam of plates: what a scene says about its picture (axes, colour bar,
-// facts for captions, a sentence for the alternative text), and the picture itself.
+// facts for captions, a sentence for the alternative text), and the picture itself. Texts and
+// numbers are in the language of the words given.
 
+#include "i18n/language.h"
 #include "plate/plate.h"
 #include "render/cpu/cpu_renderer.h"
 
@@ -10,12 +12,14 @@ namespace versorium {
 
 // `renderer` and `job` outlive the source. `assets` are those of the plate's document, of whose
 // scenes there are `panels`: each draws its part of the job.
-PanelSource scenePanels(CpuRenderer& renderer, const Json& assets, Job& job, int panels);
+PanelSource scenePanels(CpuRenderer& renderer, const Json& assets, const Words& words, Job& job,
+                        int panels);
 
-Expected<PanelInfo> describeScene(CpuRenderer& renderer, const Scene& scene, Job& job);
+Expected<PanelInfo> describeScene(CpuRenderer& renderer, const Scene& scene, const Words& words,
+                                  Job& job);
 // The axes and facts of a bifurcation diagram, and its picture.
 Expected<PanelInfo> describeDiagram(CpuRenderer& renderer, const Scene& scene,
-                                    const DiagramPlot& plot, Job& job);
+                                    const DiagramPlot& plot, const Words& words, Job& job);
 Expected<DiagramPicture> drawDiagram(CpuRenderer& renderer, const Scene& scene,
                                      const DiagramPlot& plot, Size pixels, Job& job);
 // Coordinates on the first two axes of `scene` of the parameters of `other`: by the first number of
@@ -23,8 +27,9 @@ Expected<DiagramPicture> drawDiagram(CpuRenderer& renderer, const Scene& scene,
 Expected<std::array<double, 2>> locateScene(const Scene& scene, const Scene& other);
 // Cycles, manifolds and critical set over a dynamical plane.
 Expected<std::vector<OverlayPart>> overlayOf(CpuRenderer& renderer, const Scene& scene,
-                                             const PlateOverlay& overlay, Job& job);
+                                             const PlateOverlay& overlay, const Words& words,
+                                             Job& job);
 // A sentence about the picture, plain text: map, parameters, plane, rule of colour.
-std::string sceneSentence(const Scene& scene);
+std::string sceneSentence(const Scene& scene, const Words& words);
 
 }  // namespace versorium

@@ -8,12 +8,13 @@
 namespace versorium {
 namespace {
 
-constexpr double kScriptSize = 0.72;  // of the size around it
-constexpr double kRaise = 0.40;       // of superscripts, in ems of the size around them
-constexpr double kDrop = 0.16;        // of subscripts
-constexpr double kAscent = 0.76;      // of the letters b, d, l, in ems
-constexpr double kDescent = 0.24;     // of g, p, q
-constexpr double kLineGap = 0.12;     // least white between the ink of two lines, in ems
+constexpr double kScriptSize = 0.72;    // of the size around it
+constexpr double kRaise = 0.40;         // of superscripts, in ems of the size around them
+constexpr double kDrop = 0.16;          // of subscripts
+constexpr double kAscent = 0.76;        // of the letters b, d, l, in ems
+constexpr double kDescent = 0.24;       // of g, p, q
+constexpr double kLineGap = 0.12;       // least white between the ink of two lines, in ems
+constexpr double kParagraphGap = 0.45;  // more between paragraphs, in ems
 constexpr char32_t kCircumflex = 0x2c6;
 
 using Items = std::span<const MarkupItem>;
@@ -79,6 +80,12 @@ class Setter {
 };
 
 bool isSpace(const MarkupItem& item) { return item.kind == MarkupItem::Kind::space; }
+bool isParagraph(const MarkupItem& item) { return item.kind == MarkupItem::Kind::paragraph; }
+
+struct Line {
+    Items items;
+    bool begins = false;  // a paragraph
+};
 
 // Signs that a line should neither begin nor end with, where it can be helped.
 bool binds(Items word) {
@@ -92,10 +99,14 @@ class Breaker {
     Breaker(const Markup& markup, const TextStyle& style, double width)
         : markup_(markup), style_(style), width_(width) {}
 
-    std::vector<Items> lines() {
+    std::vector<Line> lines() {
         std::size_t i = 0;
         while (i < markup_.size()) {
-            if (isSpace(markup_[i])) {
+            if (isParagraph(markup_[i])) {
+                finishLine();
+                begins_ = true;
+            }
+            if (isSpace(markup_[i]) || isParagraph(markup_[i])) {
                 ++i;
                 continue;
             }
@@ -118,7 +129,7 @@ class Breaker {
 
   private:
     std::size_t wordEnd(std::size_t i) const {
-        while (i < markup_.size() && !isSpace(markup_[i])) ++i;
+        while (i < markup_.size() && !isSpace(markup_[i]) && !isParagraph(markup_[i])) ++i;
         return i;
     }
     std::size_t nextWord(std::size_t i) const {
@@ -131,7 +142,7 @@ class Breaker {
         bool bound = binds(slice(begin, end));
         while (true) {
             const std::size_t next = nextWord(end);
-            if (next >= markup_.size()) return end;
+            if (next >= markup_.size() || isParagraph(markup_[next])) return end;
             const std::size_t after = wordEnd(next);
             const bool sign = binds(slice(next, after));
             if (!sign && !bound) return end;
@@ -156,7 +167,7 @@ class Breaker {
         while (measure(begin, end) > width_ && end - begin > 1) {
             std::size_t cut = begin + 1;
             while (cut + 1 < end && measure(begin, cut + 1) <= width_) ++cut;
-            lines_.push_back(slice(begin, cut));
+            addLine(slice(begin, cut));
             begin = cut;
         }
         open_ = true;
@@ -164,15 +175,19 @@ class Breaker {
         end_ = end;
     }
     void finishLine() {
-        if (open_) lines_.push_back(slice(start_, end_));
+        if (open_) addLine(slice(start_, end_));
         open_ = false;
+    }
+    void addLine(Items items) {
+        lines_.push_back({items, begins_ && !lines_.empty()});
+        begins_ = false;
     }
 
     const Markup& markup_;
     const TextStyle& style_;
     double width_;
-    std::vector<Items> lines_;
-    bool open_ = false;
+    std::vector<Line> lines_;
+    bool open_ = false, begins_ = false;
     std::size_t start_ = 0, end_ = 0;
 };
 
@@ -206,7 +221,7 @@ TextBlock layoutText(std::string_view text, const TextStyle& style, double maxim
     double lastDescent = 0;
     std::vector<std::pair<std::size_t, double>> lineWidths;  // number of glyphs, width
     block.smallest = style.size;
-    for (const Items line : Breaker(markup, style, maximalWidth).lines()) {
+    for (const auto& [line, begins] : Breaker(markup, style, maximalWidth).lines()) {
         std::vector<PlacedGlyph> glyphs;
         lineWidths.emplace_back(0, Setter(style, glyphs).set(line, style.size, 0, 0));
         lineWidths.back().first = glyphs.size();
@@ -216,7 +231,8 @@ TextBlock layoutText(std::string_view text, const TextStyle& style, double maxim
         const double baseline =
             block.lines == 0
                 ? std::ceil(ascent)
-                : std::ceil(std::max(block.height - lastDescent + style.lineSpacing * style.size,
+                : std::ceil((begins ? kParagraphGap * style.size : 0) +
+                            std::max(block.height - lastDescent + style.lineSpacing * style.size,
                                      block.height + kLineGap * style.size + ascent));
         for (PlacedGlyph& placed : glyphs) {
             placed.y = std::floor(baseline + placed.y + 0.5);

@@ -228,7 +228,7 @@ TickSet fittingTicks(const Scale& scale, int most, double length, double gap,
     return {};
 }
 
-std::string axisName(const std::string& name, const TickSet& ticks) {
+std::string axisName(const std::string& name, const TickSet& ticks, const Words& words) {
     // No line breaks within what the parentheses hold.
     const std::string glue = "\u00a0";
     std::string text;
@@ -236,12 +236,12 @@ std::string axisName(const std::string& name, const TickSet& ticks) {
     if (!ticks.offset.empty()) {
         const bool negative = ticks.offset.starts_with(kMinus);
         const std::string size = negative ? ticks.offset.substr(kMinus.size()) : ticks.offset;
-        if (text.empty()) text = "value";
-        text += glue + (negative ? "+" : kMinus) + glue + size;
+        if (text.empty()) text = words.tr("value");
+        text += glue + (negative ? "+" : kMinus) + glue + words.number(size);
         if (ticks.exponent != 0) text = "(" + text + ")";
     }
     if (ticks.exponent != 0)
-        text += (text.empty() ? "unit 10^{" : " /" + glue + "10^{") +
+        text += (text.empty() ? words.tr("unit") + " 10^{" : " /" + glue + "10^{") +
                 (ticks.exponent < 0 ? kMinus : "") + std::to_string(std::abs(ticks.exponent)) + "}";
     return text;
 }

@@ -423,7 +423,9 @@ void StudioContext::beginExport(const ExportOptions& options, bool toClipboard) 
     std::vector<double> aspects;
     for (std::size_t k = 0; k < workspace.views.size(); ++k)
         aspects.push_back(aspect(static_cast<int>(k)));
-    const Expected<Document> document = exportDocument(workspace, aspects, options);
+    ExportOptions spoken = options;
+    spoken.language = languageNow().id;
+    const Expected<Document> document = exportDocument(workspace, aspects, spoken);
     if (!document) return report(document.status());
     copying = toClipboard;
     const bool film = options.film && host.makesFilms();

@@ -22,12 +22,12 @@ Scene sceneOfView(const Workspace& workspace, std::size_t view,
 }
 
 // The map stands once, at the beginning; then what each panel shows.
-std::string captionOf(const std::vector<Scene>& scenes) {
+std::string captionOf(const std::vector<Scene>& scenes, const Words& words) {
     const MapInfo& info = mapOf(scenes[0]).info;
-    const std::string title(info.title), formula(info.formula);
+    const std::string title = words.tr(info.title), formula = words.tr(info.formula);
     std::string text = "\\bold{" + escapeMarkup(title) + "}, " + escapeMarkup(formula);
     for (std::size_t k = 0; k < scenes.size(); ++k) {
-        std::string sentence = sceneSentence(scenes[k]);
+        std::string sentence = sceneSentence(scenes[k], words);
         const std::string known = title + ", " + formula;
         if (sentence.starts_with(known)) sentence = sentence.substr(known.size() + 2);
         if (scenes.size() > 1)
@@ -58,25 +58,28 @@ Expected<Document> builtInPlate(const ExportOptions& options) {
 
 }  // namespace
 
-PlateDocument plateOfViews(const Workspace& workspace, const std::vector<double>& aspects,
-                           bool all) {
+PlateDocument plateOfViews(const Workspace& workspace, const std::vector<double>& aspects, bool all,
+                           const std::string& language) {
+    const Words words(language);
     PlateDocument document;
     Plate& plate = document.plate;
+    plate.language = language;
     std::vector<Scene> scenes;
     for (std::size_t k = 0; k < workspace.views.size(); ++k) {
         if (!all && static_cast<int>(k) != workspace.focused) continue;
         scenes.push_back(sceneOfView(workspace, k, aspects));
         PlatePanel panel;
         panel.name = static_cast<char>('a' + plate.panels.size());
-        panel.title = showsParameters(scenes.back()) ? "Parameters" : "Starting points";
+        panel.title = words.tr(showsParameters(scenes.back()) ? trLater("Parameters")
+                                                              : trLater("Starting points"));
         panel.scene = withoutAssets(sceneToJson(scenes.back()), document.assets);
         plate.panels.push_back(std::move(panel));
     }
     const MapInfo& info = mapOf(scenes[0]).info;
-    plate.title = escapeMarkup(std::string(info.title));
-    plate.caption = captionOf(scenes);
-    plate.note =
-        "Versorium · " + escapeMarkup(std::string(info.source)) + " · scene embedded in this file";
+    plate.title = escapeMarkup(words.tr(info.title));
+    plate.caption = captionOf(scenes, words);
+    plate.note = "Versorium · " + escapeMarkup(words.tr(info.source)) + " · " +
+                 words.tr("scene embedded in this file");
     return document;
 }
 
@@ -110,7 +113,7 @@ Expected<Document> exportDocument(const Workspace& workspace, const std::vector<
             return Status::usage("a plate of " + std::to_string(std::lround(pixels)) +
                                  " pixels in width is too large: take fewer pixels per inch");
         if (!options.builtIn.empty()) return builtInPlate(options);
-        PlateDocument plate = plateOfViews(workspace, aspects, options.allViews);
+        PlateDocument plate = plateOfViews(workspace, aspects, options.allViews, options.language);
         plate.options = plateOptions(options);
         return documentOfPlate(plate);
     }

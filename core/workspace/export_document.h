@@ -19,12 +19,14 @@ struct ExportOptions {
     double millimetres = 178, dotsPerInch = 300;
     std::string theme = "paper";
     bool title = true, caption = true;
+    std::string language = "en";  // of a plate of the views
 };
 
 // The views as panels of a plate, all of them or the marked one, with the title and the caption
-// that follow from them. `aspects` holds width over height of every view as it is shown.
-PlateDocument plateOfViews(const Workspace& workspace, const std::vector<double>& aspects,
-                           bool all);
+// that follow from them, in that language (Plate::language). `aspects` holds width over height of
+// every view as it is shown.
+PlateDocument plateOfViews(const Workspace& workspace, const std::vector<double>& aspects, bool all,
+                           const std::string& language);
 
 // The motion of the moving view, as an animation: for `versorium animate`.
 Document motionDocument(const Workspace& workspace);

@@ -4,7 +4,7 @@
 shows has an entry, each entry is used, and both speak of the same places {1}, {2} …
 
 Texts are found where they are written: in tr() and trLater(), in the functions that translate what
-they are given (SINKS), and in the tables of the core that the interface shows. A literal of words in
+they are given (SINKS), in the tables of the core that the interface shows, and in words.tr() for plates. A literal of words in
 core/ui that is none of these is a fault too, unless it is the name of a thing (NAMES).
 
 texts.py [ROOT] lists the faults; with --missing LANGUAGE it prints what that language lacks, as JSON.
@@ -62,15 +62,19 @@ TABLES = [
     ("core/maps/*.h", r"\.(?:title|help|source)\s*=\s*"),
     ("core/maps/formula_map.cpp", r"\.(?:title|help|source)\s*=\s*"),
     ("core/fields/field_names.cpp", r"\{FieldName::\w+,\s*"),
+    ("core/fields/field_names.cpp", r'\{FieldName::\w+,\s*"\w+",\s*'),
     ("core/dynamics/cycles.cpp", r"const char\* wordOf\(CycleKind kind\) \{"),
 ]
+# Where texts of plates are written, and how they are said there.
+PLATES = ["core/plate/*.cpp", "core/workspace/*.cpp", "core/lesson/*.cpp"]
+WORDS_OF_PLATES = {"words.tr": [0], "words_.tr": [0], "trLater": [0]}
 # Not shown, or the same everywhere.
 EXEMPT = {"layer", "what", "value", "Versorium", "star(5, 0.9, 0.45)", "Mark view ", "the CPU draws this: ",
           "begin export", "cancel export", "lesson step", "teacher reset", "view tab", "strip tab",
           "draw shape"}
 # Rooms whose messages the studio shows by trMessage(), and the functions that make them, with the
 # place of the message from the end. What the command line alone asks for is left out.
-ROOMS = "base colour dynamics gpu io render scene shape trace ui workspace".split()
+ROOMS = "base colour dynamics gpu io lesson render scene shape trace ui workspace".split()
 MESSAGES = {"Status::usage": 0, "Status::data": 0, "Status::inputOutput": 0, "fail": -1, "say": -1}
 OF_THE_COMMAND_LINE = re.compile(r"--set|averaged map|ensemble varies nothing")
 # Names, and formulas in words, may be said otherwise in a language, or stay.
@@ -79,13 +83,14 @@ LISTS = {"roots", "poles", "own"}
 OTHERS = {
     "cannot read {1}: {2}", "cannot write {1}: {2}", "No such file or directory", "Permission denied",
     "Is a directory", "{1} (the clipboard of this window takes only text)",
-    "the browser did not take the file", "the worker stopped", "the computation stopped: {1}",
+    "line {1}: {2}", "the browser did not take the file", "the worker stopped", "the computation stopped: {1}",
 }
 MAY = ["lessons/presets/*.json", "lessons/animations/*.json", "lessons/plates/*.json"]
 
 
 def plain(text):
     """The text of a C++ literal."""
+    text = re.sub(r"\\u([0-9a-f]{4})", lambda m: chr(int(m.group(1), 16)), text)
     return re.sub(r"\\(.)", lambda m: {"n": "\n", "t": "\t"}.get(m.group(1), m.group(1)), text)
 
 
@@ -238,7 +243,7 @@ def sentences_of(expression):
         texts = [text + part for text in texts for part in said]
     for text in texts:
         # "where: what" is parted by trMessage() itself.
-        text = re.sub("^\0+(?:: |(?=[a-z0-9]))", "", text)
+        text = re.sub("^\0+(?:: |(?=[a-z0-9\"`]))", "", text)
         count = iter(range(1, 10))
         yield re.sub("\0+", lambda _: f"{{{next(count)}}}", text)
 
@@ -250,7 +255,7 @@ def read_messages(found, root):
             # What stands in the places of messages may be said as well.
             found.may.update(text for text, _ in literals(code, 0) if " " in text)
             for name, place in MESSAGES.items():
-                if name == "say" and room == "ui": continue
+                if name == "say" and room in ("ui", "lesson"): continue
                 for match in re.finditer(r"\b" + name + r"\(", code):
                     given = arguments(code, match.end())
                     if not given or '"' not in given[place][0]: continue
@@ -273,6 +278,11 @@ def read_tables(found, root):
                     said = [t for t, _ in literals(*arguments(code, match.end())[0])]
                 for text in said:
                     found.add(text, f"{path.relative_to(root)}:{line_of(code, match.start())}")
+    for path in sorted(path for pattern in PLATES for path in root.glob(pattern)):
+        code = without_comments(path.read_text(encoding="utf-8"))
+        for _, _, argument, position in calls(code, WORDS_OF_PLATES):
+            for text, at in literals(argument, position):
+                found.add(text, f"{path.relative_to(root)}:{line_of(code, at)}")
     found.may.update(LISTS | OTHERS)
     for path in sorted(root.glob("core/maps/*.h")):
         found.may.update(re.findall(r'\.formula = "([^"]*)"', path.read_text(encoding="utf-8")))

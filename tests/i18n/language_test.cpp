@@ -32,6 +32,20 @@ TEST(Language, ThereIsNoOtherThanThoseListed) {
     setLanguage("en");
 }
 
+TEST(Language, WordsOfOneAreSaidWhateverTheInterfaceSpeaks) {
+    const Words spanish("es"), unknown("tlh");
+    EXPECT_EQ(languageNow().id, "en");
+    EXPECT_EQ(spanish.language().id, "es");
+    EXPECT_EQ(spanish.tr("Undo"), "Deshacer");
+    EXPECT_EQ(spanish.tr("period {1}", {"3"}), "período 3");
+    EXPECT_EQ(spanish.message("line 7: a step has one ask at most"),
+              "línea 7: un paso tiene como mucho un ask");
+    EXPECT_EQ(spanish.number("-0.5"), "-0,5");
+    EXPECT_EQ(unknown.language().id, "en");
+    EXPECT_EQ(unknown.tr("Undo"), "Undo");
+    EXPECT_EQ(tr("Undo"), std::string("Undo"));
+}
+
 TEST(Language, IsFoundByTheSystemsName) {
     for (const char* name : {"es", "es_MX.UTF-8", "es-419", "es@euro"})
         EXPECT_EQ(languageOf(name), "es") << name;
@@ -55,7 +69,7 @@ TEST(Language, PlacesTakeTheirValuesWhereverTheyStand) {
     EXPECT_STREQ(tr("Undo"), "Deshacer");
     EXPECT_STREQ(tr("no entry has this text"), "no entry has this text");
     EXPECT_EQ(tr("Key frame {1} at {2} s", {"3", "1,5"}), "Fotograma clave 3 en 1,5 s");
-    EXPECT_EQ(tr("{1} and {2}", {"a {2}", "b"}), "a {2} and b") << "values are no sentences";
+    EXPECT_EQ(tr("{1} but {2}", {"a {2}", "b"}), "a {2} but b") << "values are no sentences";
     EXPECT_EQ(tr("{1} and {3}", {"a"}), "a and {3}") << "a place without a value stays";
 }
 

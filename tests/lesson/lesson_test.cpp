@@ -54,6 +54,29 @@ TEST(EveryLesson, IsWithoutFaultsAndIsDrawn) {
     }
 }
 
+// Whatever language the process speaks.
+TEST(EveryLesson, HasPlatesInItsOwnLanguage) {
+    const Expected<Lesson> lesson = lessonNamed("1-orbits", "es");
+    ASSERT_TRUE(lesson) << lesson.status().message();
+    CpuRenderer renderer;
+    std::string all;
+    for (std::size_t k = 0; k < lesson->steps.size(); ++k) {
+        PlateDocument plate = plateOfStep(*lesson, k);
+        EXPECT_EQ(plate.plate.language, "es");
+        EXPECT_TRUE(contains(plate.plate.caption, "\\par ")) << "paragraphs stand apart";
+        plate.options.widthMillimetres = 60;
+        plate.options.dotsPerInch = 50;
+        Job job;
+        const Expected<PlateFile> file = renderPlate(renderer, plate, job);
+        ASSERT_TRUE(file) << file.status().message();
+        all += file->text;
+    }
+    for (const char* said : {"Parámetros", "Puntos de partida", "iteraciones", "órbita", "altura 3,2"})
+        EXPECT_TRUE(contains(all, said)) << said;
+    for (const char* english : {"Starting points", "iterations", "orbit,", "coloured", "panels"})
+        EXPECT_FALSE(contains(all, english)) << english;
+}
+
 TEST(Lesson, SaysInWhichLineAFaultLies) {
     // Five lines of front matter and a blank one stand before the first step.
     EXPECT_EQ(faultOf("## One\n\nText.\n"), "");
@@ -149,7 +172,9 @@ TEST(Condition, IsAFormulaOverWhatIsKnown) {
     EXPECT_TRUE(is("a > 2 and c.im < 0"));
     EXPECT_FALSE(is("a > 2 and not c.im < 0"));
     EXPECT_TRUE(is("abs(c.im) > 1e-1 && a^2 == 9"));
-    for (const char* text : {"", "a", "a >", "b > 2", "a > 2 a", "a = 3"})
+    EXPECT_TRUE(is("2a == 6 and 3(1 + c.im) == 1.5"));
+    for (const char* text : {"", "a", "a >", "b > 2", "a > 2 a", "a = 3", "a == 3aehr", "b (2) > 1",
+                             "v0 (a) > 1", "a > β", "aβ > 1", "2ea > 1"})
         EXPECT_FALSE(parseCondition(text, known)) << text;
     const Expected<Condition> unknown = parseCondition("a < 5", known);
     EXPECT_FALSE(holds(*unknown, [](const std::string&) { return std::nan(""); }));

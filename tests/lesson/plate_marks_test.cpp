@@ -16,10 +16,10 @@ std::vector<PlatePanel> marked(const std::string& lines) {
     EXPECT_TRUE(read);
     const Expected<Workspace> stage = changed(workspaceOf(*presetNamed("mandelbrot")), *read);
     EXPECT_TRUE(stage) << stage.status().message();
-    std::vector<PlatePanel> panels(stage->views.size());
-    for (std::size_t k = 0; k < panels.size(); ++k) panels[k].scene = sceneToJson(stage->views[k]);
-    markPanels(*stage, panels);
-    return panels;
+    Plate plate;
+    for (const Scene& view : stage->views) plate.panels.emplace_back().scene = sceneToJson(view);
+    markPanels(*stage, plate);
+    return plate.panels;
 }
 
 const OverlayPart* part(const PlatePanel& panel, const std::string& name) {

@@ -23,7 +23,8 @@ TEST(Markup, PlainText) {
 }
 
 TEST(Markup, FaultsAreNamed) {
-    for (const char* text : {"x_{i", "\\italic{x}", "\\", "\\hat{\\hat{", "\xff", "a\xc3"})
+    for (const char* text : {"x_{i", "\\italic{x}", "\\", "\\hat{\\hat{", "\xff", "a\xc3",
+                             "\\parts", "\\bold{a\\par b}"})
         EXPECT_FALSE(checkMarkup(text).ok()) << text;
     std::string deep;
     for (int i = 0; i < 50; ++i) deep += "x^{";
@@ -88,6 +89,20 @@ TEST(Text, LinesFitTheWidthAndNeverTouch) {
         (&placed - block.glyphs.data() < 3 ? first : second).include(ink);
     }
     EXPECT_LT(first.bottom, second.top);
+}
+
+TEST(Text, ParagraphsBeginLinesThatStandFurtherApart) {
+    EXPECT_EQ(plainText("one\\par two \\bold{three}\\par"), "one\n\ntwo three\n\n");
+    const auto heightOf = [](const char* text, double width) {
+        const TextBlock block = layoutText(text, kStyle, width);
+        EXPECT_EQ(block.lines, 2) << text;
+        return block.height;
+    };
+    const double wrapped = heightOf("one two", 2.2 * kStyle.size);
+    const double parted = heightOf("one\\par two", 1000);
+    EXPECT_GT(parted, wrapped + 0.3 * kStyle.size);
+    // Nothing before the first line, and nothing where a paragraph is empty.
+    EXPECT_EQ(heightOf("\\par one\\par \\par two\\par", 1000), parted);
 }
 
 TEST(Text, HatStandsOverTheMiddle) {

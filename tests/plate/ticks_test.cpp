@@ -47,10 +47,10 @@ TEST(Ticks, DecadesAndTurns) {
 
 TEST(Ticks, DeepZoomsTellTheirOffset) {
     const TickSet set = linearTicks(-0.74364388703 - 1e-9, -0.74364388703 + 1e-9, 5);
-    EXPECT_EQ(axisName("Re c", set), "(Re\u00a0c\u00a0+\u00a00.74364389) /\u00a010^{−9}");
+    EXPECT_EQ(axisName("Re c", set, Words()), "(Re\u00a0c\u00a0+\u00a00.74364389) /\u00a010^{−9}");
     const TickSet huge = linearTicks(0, 5e7, 6);
     EXPECT_EQ(labels(huge), "0 1 2 3 4 5");
-    EXPECT_EQ(axisName("N", huge), "N /\u00a010^{7}");
+    EXPECT_EQ(axisName("N", huge, Words()), "N /\u00a010^{7}");
 }
 
 TEST(Ticks, LabelsSayTheValueAtTheirPlace) {
