@@ -68,6 +68,8 @@ class GpuPicture {
     // and probes: it waits for the graphics processor.
     Status readFields(const std::vector<FieldName>& fields, std::vector<Raster<float>>& rasters);
     Status readPicture(Raster<unsigned char>& rgba);
+    // The picture drawn into few pixels, without smoothing: to see how bright it is where.
+    Status readSmall(Size size, Raster<unsigned char>& rgba);
 
   private:
     struct Textures {

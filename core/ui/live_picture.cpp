@@ -23,6 +23,8 @@ constexpr double kFirstPortion = 0.1, kLongestPortion = 0.25, kPortionGrowth = 1
 constexpr double kMostOrbits = 4.2e6;
 // A first picture that takes longer is shown before all its iterations are there, this often.
 constexpr double kShowEvery = 0.25;
+// After a movement pictures may go on to come.
+constexpr double kGuardFor = 1;
 // What lies behind colours that are not opaque, in linear light: the ground of a view.
 constexpr Colour kGround{0.0030, 0.0033, 0.0048, 1};
 
@@ -52,6 +54,9 @@ void LivePicture::Pace::learn(double points, double all, double seconds) {
 void LivePicture::want(Host& host, const GpuUse& gpu, int view, const LiveScene& scene) {
     const Size size = scene.place.size;
     if (size.width < 1 || size.height < 1) return;
+    now_ = host.now();
+    if (scene.moves) movedAt_ = now_;
+    held_ = false;
     const bool same = scene.text == wanted_ && size == place_.size && gpu.renderer == wantedFrom_;
     if (same && (waiting() || stage_ == kFinished)) return;
     if (!same) {
@@ -139,7 +144,12 @@ bool LivePicture::recolour(const GpuUse&, const LiveScene& scene) {
     // More members of an ensemble are counted on.
     gpuWorking_ = gpuWorking_ || gpu_->state() == GpuPicture::State::iterating;
     if (gpuWorking_) return true;
-    if (gpu_->state() != GpuPicture::State::finished || !show()) return false;
+    if (gpu_->state() != GpuPicture::State::finished) return false;
+    if (!admits()) {
+        hold();
+        return true;
+    }
+    if (!show()) return false;
     arrived();
     return true;
 }
@@ -184,6 +194,7 @@ void LivePicture::take(PictureAnswer answer) {
         if (stage_ == 0) hostPace_.learn(points, all, answer.seconds);
         arrived();
     }
+    if (guarded() && !guard_.admit(lightsOf(answer.rgba, answer.size), now_)) return hold();
     pixels_ = std::move(answer.rgba);
     pixelSize_ = answer.size;
     ++pictures_;
@@ -197,10 +208,11 @@ void LivePicture::work(Host& host, double seconds) {
     const double now = host.now();
     if (compiling()) gpuSince_ = shownAt_ = now;
     if (!ended) {
-        if (stage_ == 0 && now - shownAt_ > kShowEvery && show()) shownAt_ = now;
+        if (stage_ == 0 && now - shownAt_ > kShowEvery && admits() && show()) shownAt_ = now;
         return;
     }
     gpuWorking_ = false;
+    if (gpu_->state() == GpuPicture::State::finished && !admits()) return hold();
     if (gpu_->state() != GpuPicture::State::finished || !show()) {
         refused_ = wanted_;  // the next want() asks the host
         refusedWhy_ = gpu_->status().message();
@@ -226,6 +238,25 @@ bool LivePicture::show() {
     pixels_.clear();
     upload_ = false;
     return true;
+}
+
+bool LivePicture::guarded() const { return now_ - movedAt_ < kGuardFor; }
+
+// Whether what the graphics processor has drawn may be shown.
+bool LivePicture::admits() {
+    if (!guarded() || gpu_->texture() == 0) return true;
+    Raster<unsigned char> small;
+    const Size size{8 * FlashGuard::kColumns, 8 * FlashGuard::kRows};
+    return !gpu_->readSmall(size, small).ok() ||
+           guard_.admit(lightsOf(small.values(), small.size()), now_);
+}
+
+// The picture that there is stays. The next want() asks anew.
+void LivePicture::hold() {
+    held_ = true;
+    wanted_.clear();
+    stage_ = 0;
+    shownMembers_ = 0;
 }
 
 bool LivePicture::compiling() const {

@@ -12,6 +12,7 @@
 
 #include "gpu/gpu_picture.h"
 #include "imgui.h"
+#include "ui/flash_guard.h"
 #include "ui/host.h"
 #include "view/slice.h"
 
@@ -25,6 +26,7 @@ struct LiveScene {
     const std::string& orbits;
     const OrbitProgram* program;  // null while its shape has to be made into a grid first
     Viewport place;
+    bool moves = false;  // by itself: an animation, a motion that is played, a glide
 };
 
 // Who may draw: null where the graphics processor must not, with the reason.
@@ -61,6 +63,10 @@ class LivePicture {
     int members() const;
     int memberGoal() const { return goal_; }
 
+    // The newest picture would have been a flash too many (ui/flash_guard.h) and waits: another
+    // frame is due.
+    bool held() const { return held_; }
+
     // What is shown, of the place that it was made for; 0 before the first picture.
     unsigned texture() const { return texture_; }
     // How many pictures were shown so far, coarse ones too.
@@ -81,6 +87,9 @@ class LivePicture {
     void arrived();
     void takeMembers(const PictureAnswer& answer, double points, double all);
     bool show();
+    bool guarded() const;
+    bool admits();
+    void hold();
     void toTexture();
 
     std::string wanted_;  // what is asked for
@@ -114,6 +123,10 @@ class LivePicture {
 
     unsigned texture_ = 0;
     Viewport shown_;
+
+    FlashGuard guard_;
+    double now_ = 0, movedAt_ = -10;  // when a picture was wanted last, and of something that moves
+    bool held_ = false;
 };
 
 }  // namespace versorium

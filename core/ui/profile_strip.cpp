@@ -94,6 +94,8 @@ struct Plot {
         return high.y - static_cast<float>(part) * (high.y - low.y);
     }
     ImVec2 operator()(double radius, double value) const { return {x(radius), y(value)}; }
+    // The top of the row that the numbers of the radii stand in.
+    float numbers() const { return high.y - ImGui::GetTextLineHeight() - 2; }
     // The top of a row of text, from above.
     float row(int k) const {
         return low.y + 4 + static_cast<float>(k) * (ImGui::GetTextLineHeight() + 2);
@@ -131,8 +133,7 @@ void drawGrid(ImDrawList& list, const Plot& plot) {
     for (double radius = step; radius < 0.97 * plot.to; radius += step) {
         const float x = plot.x(radius), y = plot.y(0);
         list.AddLine({x, y - 3}, {x, y + 3}, text);
-        list.AddText({x + 3, plot.high.y - ImGui::GetTextLineHeight() - 2}, text,
-                     number(radius).c_str());
+        list.AddText({x + 3, plot.numbers()}, text, number(radius).c_str());
     }
 }
 
@@ -140,7 +141,7 @@ void drawGrid(ImDrawList& list, const Plot& plot) {
 void drawSure(ImDrawList& list, const Plot& plot, double radius, const std::string& name, int row) {
     const ImU32 colour = IM_COL32(255, 222, 110, 255);
     const float x = plot.x(radius);
-    list.AddLine({x, plot.low.y}, {x, plot.high.y}, colour, 1.5f);
+    list.AddLine({x, plot.low.y}, {x, plot.numbers() - 2}, colour, 1.5f);
     const float wide = ImGui::CalcTextSize(name.c_str()).x;
     const bool right = x + wide + 8 < plot.high.x;
     drawText(list, {right ? x + 5 : x - wide - 5, plot.row(row)}, colour, name);
@@ -266,7 +267,11 @@ void drawProfile(StudioContext& context) {
     if (profile.escape < to)
         drawSure(list, plot, profile.escape, tr("leaves beyond {1}", {number(profile.escape)}), 1);
     const float letter = ImGui::GetFontSize(), line = ImGui::GetTextLineHeight() + 2;
-    ImVec2 corner{high.x - 13 * letter, high.y - 4.4f * line};
+    ImVec2 corner{high.x - 13 * letter, plot.numbers() - 3.2f * line};
+    ImVec4 ground = ImGui::GetStyleColorVec4(ImGuiCol_FrameBg);
+    ground.w = 0.85f;
+    list.AddRectFilled({corner.x - 6, corner.y - 4}, {high.x - 4, plot.numbers() - 2},
+                       ImGui::ColorConvertFloat4ToU32(ground), 4);
     const std::pair<const char*, ImU32> keys[] = {
         {tr("mean φ, least to most"), mean}, {tr("r̂ of the mean"), modulus}, {"r̂ = r", diagonal}};
     for (const auto& [name, colour] : keys) {

@@ -20,6 +20,8 @@ constexpr float kReach = 16;  // how near the pointer must come to a mark, at sc
 constexpr double kWheel = 0.8;
 // Seconds of a frame for the graphics processor's pictures: half of it where frames are slow.
 constexpr double kLeastBudget = 0.012, kMostBudget = 0.05;
+// A picture that waits, to be no flash too many, is tried again after this.
+constexpr double kHeldSeconds = 0.1;
 
 bool near(ImVec2 a, ImVec2 b, float reach) { return std::hypot(a.x - b.x, a.y - b.y) <= reach; }
 
@@ -193,11 +195,13 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
         state.orbits = orbitsText(std::move(json));
     }
     state.picture.want(context.host, context.gpuUse(), view,
-                       {drawn, state.text, state.orbits, context.program(view), plane.place});
+                       {drawn, state.text, state.orbits, context.program(view), plane.place,
+                        context.moves() || context.gliding()});
     const std::size_t shown = workspace.maximised ? 1 : workspace.views.size();
     const double budget =
         std::clamp(0.5 * static_cast<double>(ImGui::GetIO().DeltaTime), kLeastBudget, kMostBudget);
     state.picture.work(context.host, budget / static_cast<double>(shown));
+    if (state.picture.held()) context.host.wakeAfter(kHeldSeconds);
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const StudioTheme& theme = themes()[context.theme];

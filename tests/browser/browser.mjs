@@ -34,8 +34,8 @@ export async function prepare(root) {
 }
 
 // The content policy forbids what playwright's own waitForFunction does in the page: ask from here.
-export async function waitFor(page, condition, argument) {
-  const end = Date.now() + patience;
+export async function waitFor(page, condition, argument, within = patience) {
+  const end = Date.now() + within;
   while (Date.now() < end) {
     if (await page.evaluate(condition, argument)) return;
     await new Promise((done) => setTimeout(done, 100));

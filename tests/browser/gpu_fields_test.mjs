@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The fields of the graphics processor against the processor's, in a browser:
-// gpu_fields_test.mjs ROOT runs tests/gpu/fields_test.cpp as a page.
+// gpu_fields_test.mjs ROOT runs tests/gpu/fields_test.cpp and averaged_test.cpp as a page.
+// What of the latter says nothing about the shaders is left to the window's graphics.
 import { createServer } from "node:http";
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { prepare, waitFor } from "./browser.mjs";
+import { patience, prepare, waitFor } from "./browser.mjs";
 
 const root = process.argv[2];
 const folder = join(root, "build/web/tests/gpu");
@@ -19,7 +20,7 @@ const html = `<!doctype html><meta charset="utf-8"><canvas id="canvas" width="16
 import create from "./versorium_gpu_tests.mjs";
 window.lines = [];
 const say = (line) => window.lines.push(line);
-create({ arguments: [], canvas: document.getElementById("canvas"), print: say, printErr: say,
+create({ arguments: ["--gtest_filter=-GpuAveraged.GoesOn*:GpuAveraged.Colours*"], canvas: document.getElementById("canvas"), print: say, printErr: say,
   onExit: (code) => { window.code = code; } }).catch((error) => { say(String(error)); window.code = 1; });
 </script>`;
 const kinds = { ".mjs": "text/javascript", ".wasm": "application/wasm" };
@@ -36,7 +37,7 @@ const page = await browser.newPage();
 await page.goto(`http://127.0.0.1:${server.address().port}/`);
 let failed = true;
 try {
-  await waitFor(page, () => window.code !== undefined);
+  await waitFor(page, () => window.code !== undefined, undefined, 4 * patience);
   failed = (await page.evaluate(() => window.code)) !== 0;
 } finally {
   console.log((await page.evaluate(() => window.lines)).join("\n"));

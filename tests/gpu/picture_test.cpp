@@ -87,6 +87,23 @@ TEST(GpuPicture, ColoursAreThoseOfTheProcessor) {
         }
 }
 
+TEST(GpuPicture, InFewPixelsIsThePictureThere) {
+    Scene scene = mandelbrot();
+    GpuRenderer gpu;
+    GpuPicture picture(gpu);
+    Raster<unsigned char> small;
+    EXPECT_FALSE(picture.readSmall({4, 3}, small).ok());
+    ASSERT_TRUE(picture.start(scene, {60, 45}).ok());
+    finish(picture);
+    ASSERT_TRUE(picture.readSmall({4, 3}, small).ok());
+    const Raster<unsigned char> whole = pixelsOf(picture);
+    // The pixel in the middle of each, 15 to a side.
+    for (int y = 0; y < 3; ++y)
+        for (int x = 0; x < 4; ++x)
+            for (int c = 0; c < 4; ++c)
+                EXPECT_EQ(small.at(x, y, c), whole.at(15 * x + 7, 15 * y + 7, c)) << x << " " << y;
+}
+
 TEST(GpuPicture, RecolouringDoesNotIterate) {
     GpuRenderer gpu;
     GpuPicture picture(gpu);

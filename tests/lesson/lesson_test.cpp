@@ -71,7 +71,8 @@ TEST(EveryLesson, HasPlatesInItsOwnLanguage) {
         ASSERT_TRUE(file) << file.status().message();
         all += file->text;
     }
-    for (const char* said : {"Parámetros", "Puntos de partida", "iteraciones", "órbita", "altura 3,2"})
+    for (const char* said :
+         {"Parámetros", "Puntos de partida", "iteraciones", "órbita", "altura 3,2"})
         EXPECT_TRUE(contains(all, said)) << said;
     for (const char* english : {"Starting points", "iterations", "orbit,", "coloured", "panels"})
         EXPECT_FALSE(contains(all, english)) << english;
