@@ -412,20 +412,17 @@ Status GpuPicture::readSmall(Size size, Raster<unsigned char>& rgba) {
     const GLuint texture = makeTarget(GL_RGBA8, size);
     const GLuint frame = makeFrame({texture}, complete);
     rgba = Raster<unsigned char>(size, 4);
-    if (complete) {
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, names_.pictureFrame);
-        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame);
-        glBlitFramebuffer(0, 0, size_.width, size_.height, 0, 0, size.width, size.height,
-                          GL_COLOR_BUFFER_BIT, GL_NEAREST);
-        glBindFramebuffer(GL_FRAMEBUFFER, frame);
-        plainPacking();
-        glReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE,
-                     rgba.values().data());
-    }
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, names_.pictureFrame);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame);
+    glBlitFramebuffer(0, 0, size_.width, size_.height, 0, 0, size.width, size.height,
+                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, frame);
+    plainPacking();
+    glReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.values().data());
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glDeleteFramebuffers(1, &frame);
     glDeleteTextures(1, &texture);
-    return complete ? Status() : Status::usage("the small picture has no frame");
+    return {};
 }
 
 }  // namespace versorium

@@ -342,18 +342,10 @@ void drawInspector(StudioContext& context) {
     drawFormulaPanel(context);
     if (ImGui::Button(tr("Gallery"))) context.galleryOpen = true;
     explain("gallery");
-    ImGui::SameLine();
-    if (ImGui::Button(tr("Find"))) context.searchOpen = true;
-    explain("find");
-    ImGui::SameLine();
-    if (ImGui::Button(tr("Open"))) context.chooseFile();
-    explain("open");
-    ImGui::SameLine();
-    if (ImGui::Button(tr("Export"))) context.exportOpen = true;
-    explain("export dialog");
-    ImGui::SameLine();
-    if (ImGui::Button(tr("Lessons"))) context.lessons.open = !context.lessons.open;
-    explain("lessons");
+    if (rowButton("Find", "find")) context.searchOpen = true;
+    if (rowButton("Open", "open")) context.chooseFile();
+    if (rowButton("Export", "export dialog")) context.exportOpen = true;
+    if (rowButton("Lessons", "lessons")) context.lessons.open = !context.lessons.open;
 
     heading("Parameters");
     if (workspace.views[0].map != "planar") parameters(context);

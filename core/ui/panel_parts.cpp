@@ -56,6 +56,16 @@ bool section(const char* text, bool inUse) {
     return open;
 }
 
+bool rowButton(const char* text, const char* control) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float wide = ImGui::CalcTextSize(tr(text)).x + 2 * style.FramePadding.x;
+    const float end = ImGui::GetItemRectMax().x + style.ItemSpacing.x + wide;
+    if (end <= ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x) ImGui::SameLine();
+    const bool pressed = ImGui::Button(tr(text));
+    explain(control);
+    return pressed;
+}
+
 void labelled(const char* label) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(tr(label));

@@ -17,6 +17,9 @@ void heading(const char* text);
 // A heading whose part is closed until it is opened by a click, or by being in use. True while the
 // part is to be drawn.
 bool section(const char* text, bool inUse);
+// A button beside the last one, or below it where the line has no room; true when it was pressed.
+// `control` explains it (ui/help.h).
+bool rowButton(const char* text, const char* control);
 // A label on the left; what is drawn next takes the rest of the line.
 void labelled(const char* label);
 // A choice of words; true when another one was taken. `empty` stands for the empty word. Names,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Every lesson from a fresh profile to its end, as learners of three kinds would: by the keyboard
-// alone, by touch alone on a phone, and through the accessibility tree alone.
+// Every lesson from a fresh profile to its end, as learners of four kinds would: by the keyboard
+// alone, by touch alone on a phone, through the accessibility tree alone, and by the mouse.
 //   lessons_test.mjs ROOT [SCREENSHOTS]
-// The lessons are dealt out to the three kinds and the two languages; with EVERY=1 in the environment
+// The lessons are dealt out to the four kinds and the two languages; with EVERY=1 in the environment
 // each kind takes all of them in both.
 import assert from "node:assert/strict";
 import { mkdtempSync, readFileSync, readdirSync } from "node:fs";
@@ -117,7 +117,7 @@ const shownOption = (page, id, value) => page.evaluate(([id, value]) => {
   return shown?.[options.indexOf(value)] ?? value;
 }, [id, value]);
 
-// Three ways to do the same few things.
+// Four ways to do the same few things.
 const byKeyboard = {
   async focus(page, key) {
     for (let k = 0; k < 200; ++k) {
@@ -168,16 +168,17 @@ const byKeyboard = {
   },
 };
 
-const byTouch = {
+// With a finger ("tap") or the mouse ("click").
+const byPointer = (hit) => ({
   at: (page, key) => page.locator(`#lesson [data-key="${key}"]`),
   async press(page, key) {
-    await this.at(page, key).tap();
+    await this.at(page, key)[hit]();
   },
   async choose(page, index) {
-    await this.at(page, `choice ${index}`).tap();
+    await this.at(page, `choice ${index}`)[hit]();
   },
   async write(page, key, text) {
-    await this.at(page, key).tap();
+    await this.at(page, key)[hit]();
     await page.keyboard.press("Control+a");
     await page.keyboard.type(text);
     await this.at(page, key).blur();
@@ -189,7 +190,7 @@ const byTouch = {
     if (kind === "select-one") return this.at(page, key).selectOption(value);
     await this.write(page, key, value);
   },
-};
+});
 
 // Roles and names, and nothing else.
 const labels = {
@@ -271,7 +272,7 @@ const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile:
 
 async function pass(browser, address, kind, way, options, after = () => {}) {
   for (const [index, id] of ids.entries()) {
-    if (!every && index % 3 !== kind) continue;
+    if (!every && index % 4 !== kind) continue;
     for (const language of every ? ["en", "es"] : [index % 2 ? "en" : "es"]) {
       const page = await lessonPage(browser, address, id, language, options);
       await after(page);
@@ -288,12 +289,16 @@ const tests = {
   },
 
   async "by touch alone, on a phone"(browser, address) {
-    await pass(browser, address, 1, () => byTouch, phone);
+    await pass(browser, address, 1, () => byPointer("tap"), phone);
   },
 
   async "through the accessibility tree alone, offline"(browser, address) {
     await pass(browser, address, 2, byTree, wide,
       (page) => page.context().setOffline(true));
+  },
+
+  async "by the mouse"(browser, address) {
+    await pass(browser, address, 3, () => byPointer("click"), wide);
   },
 
   async "a teacher's link in another page locks, keeps the wheel apart and resets to the teacher's state"(browser, address) {

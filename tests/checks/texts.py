@@ -26,7 +26,7 @@ SINKS = {
     "all.number": [1], "all.choice": [1, 3], "all.toggle": [1], "all.colour": [1], "all.text": [1],
     "all.command": [1], "toolButton": [1], "radio": [0], "kind": [0], "tab": [0], "button": [0],
     "either": [0, 1], "edit": [0], "dragged": [0], "gradientControls": [1], "chooseMore": [1],
-    "collectGradient": [1], "colourField": [0], "said": [0], "row": [0, 1], "label": [0],
+    "collectGradient": [1], "colourField": [0], "said": [0], "row": [0, 1], "rowButton": [0], "label": [0],
 }
 SINKS_OF = {
     "controls.cpp": {"word": [1, 3]},
@@ -42,7 +42,7 @@ NAMES = {
     "explain": [0], "helpOf": [0], "numberField": [1], "numberCell": [1], "InvisibleButton": [0],
     "all.number": [0], "all.choice": [0], "all.toggle": [0], "all.colour": [0], "all.text": [0],
     "all.command": [0], "PushID": [0], "BeginChild": [0], "BeginTable": [0], "BeginCombo": [0],
-    "toolButton": [2], "radio": [1], "button": [1], "either": [3], "dragged": [1], "step": [1],
+    "toolButton": [2], "radio": [1], "rowButton": [1], "button": [1], "either": [3], "dragged": [1], "step": [1],
     "choose": [1], "chooseName": [1], "chosenShape": [1], "shapeText": [1], "colourField": [2],
     "chooseMore": [2], "numberBox": [1], "more": [0], "whole": [0, 1, 3], "real": [0, 1, 3],
     "wholeField": [1], "realField": [1], "number": [0], "run": [0], "pressed": [0], "GetID": [0], "BeginPopup": [0],
