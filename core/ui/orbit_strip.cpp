@@ -80,20 +80,24 @@ void drawHead(StudioContext& context, const MapInfo& info) {
     }
     ImGui::PopStyleVar();
     explain("orbit steps");
-    ImGui::SameLine();
     const auto& orbit = context.orbit();
+    const bool escaped = static_cast<int>(orbit.size()) <= workspace.orbitSteps;
+    const std::string fate = escaped ? tr("escapes at step {1}", {std::to_string(orbit.size() - 1)})
+                                     : tr("none escaped");
+    // On a narrow screen the rest has a line of its own.
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float rest = ImGui::CalcTextSize(tr("Copy table")).x + 2 * style.FramePadding.x +
+                       ImGui::CalcTextSize(fate.c_str()).x + 2 * style.ItemSpacing.x;
+    if (ImGui::GetItemRectMax().x + rest <=
+        ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x)
+        ImGui::SameLine();
     if (ImGui::SmallButton(tr("Copy table"))) {
         context.host.setClipboard(tableText(info, orbit));
         context.say("The orbit's table is on the clipboard");
     }
     explain("copy table");
     ImGui::SameLine();
-    const bool escaped = static_cast<int>(orbit.size()) <= workspace.orbitSteps;
-    if (escaped)
-        ImGui::TextDisabled("%s",
-                            tr("escapes at step {1}", {std::to_string(orbit.size() - 1)}).c_str());
-    else
-        ImGui::TextDisabled("%s", tr("none escaped"));
+    ImGui::TextDisabled("%s", fate.c_str());
 }
 
 void drawTable(StudioContext& context, const MapInfo& info, float width) {
