@@ -6,6 +6,7 @@
 #include "ui/context.h"
 #include "ui/help.h"
 #include "ui/marks.h"
+#include "ui/panel_parts.h"
 #include "ui/web_diagram.h"
 
 namespace versorium {
@@ -86,11 +87,8 @@ void drawHead(StudioContext& context, const MapInfo& info) {
                                      : tr("none escaped");
     // On a narrow screen the rest has a line of its own.
     const ImGuiStyle& style = ImGui::GetStyle();
-    const float rest = ImGui::CalcTextSize(tr("Copy table")).x + 2 * style.FramePadding.x +
-                       ImGui::CalcTextSize(fate.c_str()).x + 2 * style.ItemSpacing.x;
-    if (ImGui::GetItemRectMax().x + rest <=
-        ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x)
-        ImGui::SameLine();
+    sameLineIfRoom(ImGui::CalcTextSize(tr("Copy table")).x + 2 * style.FramePadding.x +
+                   style.ItemSpacing.x + ImGui::CalcTextSize(fate.c_str()).x);
     if (ImGui::SmallButton(tr("Copy table"))) {
         context.host.setClipboard(tableText(info, orbit));
         context.say("The orbit's table is on the clipboard");

@@ -56,11 +56,13 @@ bool section(const char* text, bool inUse) {
     return open;
 }
 
-bool rowButton(const char* text, const char* control) {
-    const ImGuiStyle& style = ImGui::GetStyle();
-    const float wide = ImGui::CalcTextSize(tr(text)).x + 2 * style.FramePadding.x;
-    const float end = ImGui::GetItemRectMax().x + style.ItemSpacing.x + wide;
+void sameLineIfRoom(float wide) {
+    const float end = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + wide;
     if (end <= ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x) ImGui::SameLine();
+}
+
+bool rowButton(const char* text, const char* control) {
+    sameLineIfRoom(ImGui::CalcTextSize(tr(text)).x + 2 * ImGui::GetStyle().FramePadding.x);
     const bool pressed = ImGui::Button(tr(text));
     explain(control);
     return pressed;

@@ -17,6 +17,8 @@ void heading(const char* text);
 // A heading whose part is closed until it is opened by a click, or by being in use. True while the
 // part is to be drawn.
 bool section(const char* text, bool inUse);
+// What is drawn next, so wide in all, stands beside what was drawn last where the line has room.
+void sameLineIfRoom(float wide);
 // A button beside the last one, or below it where the line has no room; true when it was pressed.
 // `control` explains it (ui/help.h).
 bool rowButton(const char* text, const char* control);

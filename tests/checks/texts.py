@@ -4,8 +4,8 @@
 shows has an entry, each entry is used, and both speak of the same places {1}, {2} …
 
 Texts are found where they are written: in tr() and trLater(), in the functions that translate what
-they are given (SINKS), in the tables of the core that the interface shows, and in words.tr() for plates. A literal of words in
-core/ui that is none of these is a fault too, unless it is the name of a thing (NAMES).
+they are given (SINKS), in the tables of the core that the interface shows, and in words.tr() for
+plates. A literal of words in core/ui that is none of these is a fault too, unless it is the name of a thing (NAMES).
 
 texts.py [ROOT] lists the faults; with --missing LANGUAGE it prints what that language lacks, as JSON.
 """
