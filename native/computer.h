@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "ui/picture_worker.h"
+#include "ui/host/picture_worker.h"
 #include "workspace/workspace.h"
 
 namespace versorium {

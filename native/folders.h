@@ -2,7 +2,7 @@
 #pragma once
 // Folders of the machine, for the studio's list of files.
 
-#include "ui/host.h"
+#include "ui/host/host.h"
 
 namespace versorium {
 

@@ -6,7 +6,7 @@
 
 #include <deque>
 
-#include "ui/host.h"
+#include "ui/host/host.h"
 
 namespace versorium {
 

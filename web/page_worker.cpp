@@ -11,7 +11,7 @@
 #include <thread>
 #endif
 
-#include "ui/picture_worker.h"
+#include "ui/host/picture_worker.h"
 
 // clang-format off
 EM_JS(void, worker_js_done,

@@ -11,8 +11,8 @@
 #include "imgui.h"
 #include "page_host.h"
 #include "page_input.h"
-#include "ui/gl_canvas.h"
-#include "ui/software_canvas.h"
+#include "ui/backend/gl_canvas.h"
+#include "ui/backend/software_canvas.h"
 #include "ui/studio.h"
 
 // clang-format off
@@ -207,7 +207,7 @@ EMSCRIPTEN_KEEPALIVE int page_pinch(float x0, float y0, float x1, float y1, doub
     return page->studio.pinch(x0, y0, x1, y1, factor) ? 1 : 0;
 }
 
-// JSON: ui/controls.h.
+// JSON: ui/controls/controls.h.
 EMSCRIPTEN_KEEPALIVE const char* page_controls() { return kept(page->studio.controls()); }
 EMSCRIPTEN_KEEPALIVE int page_set_control(const char* id, const char* value) {
     page->settle = kSettle;
@@ -218,7 +218,7 @@ EMSCRIPTEN_KEEPALIVE void page_mark_view(int view) {
     page->studio.markView(view);
 }
 
-// The lesson's pane, as JSON and by its buttons: ui/lessons.h.
+// The lesson's pane, as JSON and by its buttons: ui/session/lessons.h.
 EMSCRIPTEN_KEEPALIVE const char* page_lesson() { return kept(page->studio.lesson()); }
 EMSCRIPTEN_KEEPALIVE int page_lesson_do(const char* action, const char* value) {
     page->settle = kSettle;

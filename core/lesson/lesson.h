@@ -68,9 +68,9 @@ struct LessonStep {
     int line = 0;
     std::vector<MarkdownBlock> prose;
     Workspace stage;  // the teacher's state
-    // The controls that are open to the learner: ids of ui/controls.h, a parameter's name for all
-    // of its numbers, or "point" for all of the starting point's. All controls where there are
-    // none.
+    // The controls that are open to the learner: ids of ui/controls/controls.h, a parameter's name
+    // for all of its numbers, or "point" for all of the starting point's. All controls where there
+    // are none.
     std::vector<std::string> controls;
     std::optional<Question> question;
     std::optional<Goal> goal;

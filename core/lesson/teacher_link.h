@@ -12,7 +12,7 @@
 //   rest             what becomes of controls that are not named: open, locked (seen, but they
 //                    cannot be changed) or hidden; or step: those of the lesson's step are open,
 //                    all others hidden
-//   open, locked, hidden   ids of controls (ui/controls.h), with commas between them
+//   open, locked, hidden   ids of controls (ui/controls/controls.h), with commas between them
 
 #include <map>
 #include <optional>

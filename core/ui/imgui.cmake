@@ -1,5 +1,5 @@
 # Dear ImGui from its sources (scripts/setup fetches them), with its back ends for the window; the
-# page has its own (ui/gl_canvas.h).
+# page has its own (ui/backend/gl_canvas.h).
 set(VERSORIUM_IMGUI_DIR "${PROJECT_SOURCE_DIR}/.deps/imgui" CACHE PATH "Sources of Dear ImGui 1.90")
 if(NOT EXISTS "${VERSORIUM_IMGUI_DIR}/imgui.cpp")
     message(FATAL_ERROR "${VERSORIUM_IMGUI_DIR}/imgui.cpp is missing: run scripts/setup, or set "

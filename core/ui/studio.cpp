@@ -6,10 +6,10 @@
 #include <functional>
 
 #include "io/document.h"
-#include "ui/context.h"
-#include "ui/controls.h"
-#include "ui/help.h"
-#include "ui/open_file.h"
+#include "ui/controls/controls.h"
+#include "ui/session/context.h"
+#include "ui/session/open_file.h"
+#include "ui/widgets/help.h"
 
 namespace versorium {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "base/status.h"
-#include "ui/host.h"
+#include "ui/host/host.h"
 
 namespace versorium {
 
@@ -23,7 +23,7 @@ class Studio {
     // atlas anew.
     void prepare(float scale);
 
-    // One frame. All drawing goes into ImGui's lists; textures are those of ui/texture.h.
+    // One frame. All drawing goes into ImGui's lists; textures are those of ui/backend/texture.h.
     void frame();
     // The theme has changed: prepare() is due before the next frame.
     bool wantsPrepare() const;
@@ -34,8 +34,8 @@ class Studio {
     // True while something moves or is being waited for: the shell should draw on without events.
     bool busy() const;
 
-    // A preset's name, or what a file holds (ui/open_file.h). On failure everything stays as it
-    // was.
+    // A preset's name, or what a file holds (ui/session/open_file.h). On failure everything stays
+    // as it was.
     Status openPreset(const std::string& name);
     Status openFormula(const std::string& text);
     Status openBytes(const std::string& name, std::span<const unsigned char> bytes);
@@ -46,11 +46,11 @@ class Studio {
     Status openLesson(const std::string& id, std::optional<std::size_t> step);
     std::string fragment() const;
 
-    // What can be set and done, for controls outside of the window: ui/controls.h.
+    // What can be set and done, for controls outside of the window: ui/controls/controls.h.
     std::string controls() const;
     bool setControl(const std::string& id, const std::string& value);
     void markView(int view);
-    // The lesson's pane, for a host that draws it: ui/lessons.h.
+    // The lesson's pane, for a host that draws it: ui/session/lessons.h.
     std::string lesson() const;
     bool lessonDo(const std::string& action, const std::string& value);
     std::string lessonRing() const;  // the ring's place as an answer; empty where none is asked for

@@ -317,7 +317,7 @@ def places_of(text):
 
 def check(root):
     found = Found()
-    for path in sorted(root.glob("core/ui/*.cpp")) + sorted(root.glob("core/ui/*.h")):
+    for path in sorted(root.glob("core/ui/**/*.cpp")) + sorted(root.glob("core/ui/**/*.h")):
         read_ui(found, root, path)
     read_tables(found, root)
     read_messages(found, root)

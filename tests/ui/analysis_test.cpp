@@ -7,7 +7,7 @@
 #include "io/png.h"
 #include "render/movie.h"
 #include "ui/headless_gui.h"
-#include "ui/open_file.h"
+#include "ui/session/open_file.h"
 #include "workspace/export_document.h"
 
 namespace versorium {

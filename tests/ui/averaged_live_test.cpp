@@ -6,7 +6,7 @@
 
 #include "render/averaged_star.h"
 #include "ui/headless_gui.h"
-#include "ui/picture_worker.h"
+#include "ui/host/picture_worker.h"
 
 namespace versorium {
 namespace {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Circles on planes of starting points: their fate is that of the radial map where the direction is
 // the identity, and what is certain holds for any direction.
-#include "ui/circles.h"
+#include "ui/session/circles.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "render/system_of.h"
-#include "ui/controls.h"
+#include "ui/controls/controls.h"
 #include "ui/headless_gui.h"
-#include "ui/view_plane.h"
+#include "ui/session/view_plane.h"
 
 namespace versorium {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ui/controls.h"
+#include "ui/controls/controls.h"
 
 #include <gtest/gtest.h>
 

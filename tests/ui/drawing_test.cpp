@@ -8,9 +8,9 @@
 #include "plate/plate_picture.h"
 #include "shape/modulation.h"
 #include "shape/outline.h"
-#include "ui/controls.h"
+#include "ui/controls/controls.h"
 #include "ui/headless_gui.h"
-#include "ui/shape_change.h"
+#include "ui/session/shape_change.h"
 
 namespace versorium {
 namespace {

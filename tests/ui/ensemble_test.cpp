@@ -7,10 +7,10 @@
 #include "fields/ensemble.h"
 #include "render/cpu/cpu_renderer.h"
 #include "render/shape_profile.h"
-#include "ui/controls.h"
-#include "ui/ensemble_change.h"
+#include "ui/controls/controls.h"
 #include "ui/headless_gui.h"
-#include "ui/help.h"
+#include "ui/session/ensemble_change.h"
+#include "ui/widgets/help.h"
 
 namespace versorium {
 namespace {

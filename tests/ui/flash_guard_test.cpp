@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ui/flash_guard.h"
+#include "ui/session/flash_guard.h"
 
 #include <gtest/gtest.h>
 

@@ -10,8 +10,8 @@
 
 #include "imgui.h"
 #include "imgui_internal.h"
-#include "ui/context.h"
-#include "ui/software_canvas.h"
+#include "ui/backend/software_canvas.h"
+#include "ui/session/context.h"
 
 namespace versorium {
 

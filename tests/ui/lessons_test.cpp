@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Lessons in the studio: steps, what a learner may change, and what a teacher's link locks.
-#include "ui/lessons.h"
+#include "ui/session/lessons.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "headless_gui.h"
-#include "ui/access.h"
-#include "ui/controls.h"
-#include "ui/open_file.h"
+#include "ui/controls/access.h"
+#include "ui/controls/controls.h"
+#include "ui/session/open_file.h"
 #include "ui/studio.h"
 
 namespace versorium {

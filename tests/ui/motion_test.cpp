@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "ui/motion.h"
+#include "ui/session/motion.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "ui/headless_gui.h"
-#include "ui/view_plane.h"
+#include "ui/session/view_plane.h"
 
 namespace versorium {
 namespace {

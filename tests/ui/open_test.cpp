@@ -8,8 +8,8 @@
 #include "plate/plate_picture.h"
 #include "render/bind.h"
 #include "ui/headless_gui.h"
-#include "ui/open_file.h"
-#include "ui/picture_worker.h"
+#include "ui/host/picture_worker.h"
+#include "ui/session/open_file.h"
 
 namespace versorium {
 namespace {

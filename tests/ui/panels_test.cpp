@@ -5,9 +5,9 @@
 
 #include "io/document.h"
 #include "ui/headless_gui.h"
-#include "ui/help.h"
-#include "ui/palette_stops.h"
-#include "ui/web_diagram.h"
+#include "ui/plots/web_diagram.h"
+#include "ui/widgets/help.h"
+#include "ui/widgets/palette_stops.h"
 
 namespace versorium {
 namespace {

@@ -8,9 +8,9 @@
 #include <sstream>
 
 #include "io/files.h"
-#include "ui/controls.h"
+#include "ui/controls/controls.h"
 #include "ui/headless_gui.h"
-#include "ui/open_file.h"
+#include "ui/session/open_file.h"
 
 namespace versorium {
 namespace {

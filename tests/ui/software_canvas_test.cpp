@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "ui/software_canvas.h"
+#include "ui/backend/software_canvas.h"
 
 #include <gtest/gtest.h>
 
-#include "ui/texture.h"
+#include "ui/backend/texture.h"
 
 namespace versorium {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Panels of planar systems and of sets of parameters: what they find is compared with closed forms,
 // and real pointers do the work.
-#include "ui/studies.h"
+#include "ui/session/studies.h"
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,10 @@
 #include "base/embedded.h"
 #include "io/document.h"
 #include "render/system_of.h"
-#include "ui/controls.h"
+#include "ui/controls/controls.h"
 #include "ui/headless_gui.h"
-#include "ui/open_file.h"
-#include "ui/planar_change.h"
+#include "ui/session/open_file.h"
+#include "ui/session/planar_change.h"
 
 namespace versorium {
 namespace {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Roots under the hand, roots at random, the sheet of candidates, product and sum.
-#include "ui/versor.h"
+#include "ui/session/versor.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "fields/ensemble.h"
-#include "ui/controls.h"
+#include "ui/controls/controls.h"
 #include "ui/headless_gui.h"
-#include "ui/root_marks.h"
-#include "ui/state_plane.h"
+#include "ui/marks/root_marks.h"
+#include "ui/session/state_plane.h"
 
 namespace versorium {
 namespace {

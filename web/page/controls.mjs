@@ -39,7 +39,7 @@ function makeField(control, set) {
 }
 
 export class Controls {
-  // `read` gives the JSON of ui/controls.h, `set(id, value)` says whether it was taken, and
+  // `read` gives the JSON of ui/controls/controls.h, `set(id, value)` says whether it was taken, and
   // `mark(view)` makes a view the one that keys act on.
   constructor(home, canvas, { read, set, mark }) {
     Object.assign(this, { home, canvas, read, set, mark });

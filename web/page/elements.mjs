@@ -13,7 +13,7 @@ export const setDecimal = (sign) => { decimal = sign; };
 export const written = (number) => number.replace(".", decimal);
 export const readNumber = (text) => text.trim().replace(",", ".");
 
-// The element of a control of ui/controls.h that holds a value, not a command's.
+// The element of a control of ui/controls/controls.h that holds a value, not a command's.
 export function makeInput({ kind, options, shown }) {
   if (kind === "choice")
     return make("select", {}, ...options.map((value, index) => make("option", { textContent: shown[index], value })));

@@ -238,7 +238,7 @@ export class LessonPane {
     return this.panel;
   }
 
-  // Those of ui/controls.h, as they are now.
+  // Those of ui/controls/controls.h, as they are now.
   showControls(controls = this.known) {
     this.known = controls;
     if (this.home.hidden || !this.panel || !controls) return;

@@ -14,7 +14,7 @@ function openWorker(start) {
 const patienceOf = ({ threads }) => (threads > 0 ? 60 : 400); // milliseconds
 // What is expected to take longer may keep nobody waiting who wants a first coarse answer.
 const long = 100; // milliseconds
-const thumbnails = 5; // kThumbnails of ui/host.h
+const thumbnails = 5; // kThumbnails of ui/host/host.h
 
 // One worker and what it does now.
 class Slot {

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "ui/controls/access.h"
+
+#include <algorithm>
+
+#include "maps/critical.h"
+#include "ui/controls/controls.h"
+#include "ui/session/context.h"
+
+namespace versorium {
+namespace {
+
+// What changes nothing of the state is nobody's to lock.
+constexpr const char* kFree[] = {"theme",        "language",      "renderer", "export",
+                                 "begin export", "cancel export", "marked",   "maximised",
+                                 "lesson step",  "teacher reset"};
+
+// Parts of the workspace that no control holds whole.
+void takeWholes(StudioContext& context, const Workspace& wanted) {
+    Workspace& now = context.workspace;
+    const auto open = [&](const char* id) { return accessOf(context, id) == Access::open; };
+    if (open("pins")) now.pins = wanted.pins;
+    if (open("circles")) now.circles = wanted.circles;
+    for (std::size_t k = 0; k < std::min(now.views.size(), wanted.views.size()); ++k) {
+        SliceSpec& slice = now.views[k].slice;
+        const SliceSpec& other = wanted.views[k].slice;
+        if (slice.axes != other.axes || slice.centre.size() != other.centre.size()) continue;
+        for (std::size_t j = 0; j < slice.centre.size(); ++j)
+            if (open(j == 0 ? "centre0" : "centre1")) {
+                slice.centre[j] = other.centre[j];
+                slice.centreLow[j] = other.centreLow[j];
+            }
+        if (open("height")) slice.height = other.height;
+    }
+    if (wanted.views.size() == now.views.size()) now.focused = wanted.focused;
+    now.maximised = wanted.maximised;
+    now.strip = wanted.strip;
+    now.ranges = wanted.ranges;
+}
+
+}  // namespace
+
+bool isHarmless(const std::string& command) {
+    constexpr const char* kHarmless[] = {
+        trLater("Undo"),
+        trLater("Redo"),
+        trLater("Home"),
+        trLater("Zoom in"),
+        trLater("Zoom out"),
+        trLater("Back to the place before"),
+        trLater("Forward again"),
+        trLater("Fill the window with the marked view, or not"),
+        trLater("Fill the screen, or not"),
+        trLater("One step on along the orbit"),
+        trLater("One step back along the orbit"),
+        trLater("The orbit as a time series"),
+        trLater("The orbit as a web, where the map has a real line"),
+        trLater("Bifurcation diagram: the attractor against one parameter"),
+        trLater("Dark, light or projector colours"),
+        trLater("Lessons, or none"),
+        trLater("Lesson: next step"),
+        trLater("Lesson: step before"),
+        trLater("Lesson: reset the step"),
+        trLater("The list of keys")};
+    return command.starts_with("Language: ") ||
+           std::any_of(std::begin(kHarmless), std::end(kHarmless),
+                       [&](const char* one) { return command == one; });
+}
+
+bool namesControl(const MapInfo& info, const std::string& name, const std::string& id) {
+    if (name == id) return true;
+    if (name != "point") return id.starts_with(name + ".") || id.starts_with(name + "[");
+    for (int k = 0; k < dimensionOf(info.algebra); ++k)
+        if (stateComponent(info, k) == id) return true;
+    return false;
+}
+
+Access accessOf(const StudioContext& context, const std::string& id) {
+    if (!context.teacher) return Access::open;
+    const TeacherLink& link = *context.teacher;
+    const MapInfo& info = mapOf(context.workspace.views[0]).info;
+    for (const auto& [name, access] : link.named)
+        if (namesControl(info, name, id)) return access;
+    if (std::any_of(std::begin(kFree), std::end(kFree), [&](const char* one) { return id == one; }))
+        return Access::open;
+    if (link.byStep && context.lessons.now)
+        for (const std::string& name : context.lessons.now->session.step().controls)
+            if (namesControl(info, name, id)) return Access::open;
+    return link.rest;
+}
+
+bool isRestricted(const StudioContext& context) {
+    return context.teacher && context.teacher->restricts();
+}
+
+Status followTeacherLink(StudioContext& context, const TeacherLink& link) {
+    for (const StudioTheme& theme : themes())
+        if (theme.name == link.theme) {
+            context.theme = static_cast<std::size_t>(&theme - themes().data());
+            context.fontsChanged = true;
+        }
+    context.teacher.reset();
+    // For this visit: what the learner chose is kept.
+    if (!link.language.empty() && setLanguage(link.language)) context.fontsChanged = true;
+    if (!link.lesson.empty()) {
+        std::optional<std::size_t> step;
+        if (link.step) step = static_cast<std::size_t>(*link.step);
+        const Status status = openLesson(context, link.lesson, step);
+        if (!status.ok()) return status;
+        if (link.view) context.openStage(*link.view);
+    } else if (link.view) {
+        context.open(*link.view);
+    }
+    if (link.stays()) context.teacher = link;
+    permit(context);
+    return {};
+}
+
+void permit(StudioContext& context) {
+    context.permitted = context.workspace;
+    context.permittedAt = context.revision;
+}
+
+void keepLocks(StudioContext& context) {
+    if (!isRestricted(context) || context.permittedAt == context.revision) return;
+    const Workspace wanted = context.workspace;
+    const std::vector<Control> after = controlsOf(context);
+    context.workspace = context.permitted;
+    takeWholes(context, wanted);
+    std::vector<Control> before = controlsOf(context);
+    for (const Control& control : after) {
+        if (control.kind == ControlKind::command || accessOf(context, control.id) != Access::open)
+            continue;
+        const auto same = std::find_if(before.begin(), before.end(), [&](const Control& other) {
+            return other.id == control.id;
+        });
+        if (same == before.end() || same->value == control.value) continue;
+        setControl(context, control.id, control.value);
+        before = controlsOf(context);
+    }
+    if (workspaceToJson(context.workspace) != workspaceToJson(wanted)) {
+        ++context.revision;
+        context.say("The link that opened this page has locked that");
+    }
+    permit(context);
+}
+
+}  // namespace versorium

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// What lies behind a view and how it moves, in the list of controls: layers, motion.
+#include <algorithm>
+
+#include "render/movie.h"
+#include "ui/controls/control_list.h"
+
+namespace versorium {
+
+void collectLayers(StudioContext& context, ControlList& all) {
+    all.begin("Images behind and in front");
+    StudioContext* c = &context;
+    Scene& scene = context.workspace.view();
+    for (std::size_t k = 0; k < scene.layers.size(); ++k) {
+        Layer& layer = scene.layers[k];
+        const std::string id = "layers[" + std::to_string(k) + "].";
+        const auto label = [&](const char* what) {
+            return tr("image {1}: {2}", {std::to_string(k + 1), tr(what)});
+        };
+        const auto number = [&](const char* part, const char* what, double& value, double step,
+                                double low, double high) {
+            all.number(id + part, label(what), value, step, low, high,
+                       [&value](double wanted) { value = wanted; });
+        };
+        number("x", "to the right", layer.x, 0.05, -100, 100);
+        number("y", "up", layer.y, 0.05, -100, 100);
+        number("scale", "size", layer.scale, 0.05, 1e-3, 1000);
+        number("opacity", "opacity", layer.opacity, 0.1, 0, 1);
+        if (layer.sources.size() > 1) number("frame", "frame", layer.frame, 1, -1e9, 1e9);
+        all.toggle(id + "front", label("in front"), layer.front,
+                   [&layer](bool on) { layer.front = on; });
+        all.command(id + "remove", label("take it away"), "", [c, k] {
+            auto& layers = c->workspace.view().layers;
+            layers.erase(layers.begin() + static_cast<std::ptrdiff_t>(k));
+            dropUnnamedAssets(c->workspace);
+            c->touch();
+        });
+    }
+    if (scene.layers.size() < kMostLayers)
+        all.choice("layer", "add an image", "", {"leaf", "white sheet"},
+                   [&scene](const std::string& wanted) {
+                       if (wanted == "leaf")
+                           scene.layers.push_back({});
+                       else
+                           scene.layers.insert(scene.layers.begin(), {.sources = {"#ffffff"}});
+                   });
+    all.toggle("images are layers", "opened images lie behind the fractal", context.imagesAreLayers,
+               [c](bool on) { c->imagesAreLayers = on; });
+}
+
+void collectMotion(StudioContext& context, ControlList& all) {
+    all.begin("Motion");
+    StudioContext* c = &context;
+    const StudioContext::Player& player = context.player;
+    const Motion& motion = context.workspace.motion;
+    all.toggle("recording", "record what is moved", player.recording,
+               [c](bool on) { c->record(on); });
+    all.choice("animation", "play an animation of the program's own", "", animationNames(),
+               [c](const std::string& name) {
+                   Expected<Movie> movie = animationNamed(name);
+                   if (!movie) return c->report(movie.status());
+                   c->openMotion(std::move(movie->animation));
+                   c->play(true);
+               });
+    all.number("motion time", "time in the motion, seconds", player.at, 0.1, 0, kMostSeconds,
+               [c](double value) {
+                   c->play(false);
+                   c->showMotionAt(value);
+               });
+    all.command("set key", "Set a key frame here", "K", [c] { c->setKey(); });
+    if (motion.keys.empty()) return;
+    all.toggle("playing", "play the motion", player.playing, [c](bool on) { c->play(on); });
+    all.toggle("play again", "again from the beginning when it has ended", player.again,
+               [c](bool on) { c->player.again = on; });
+    all.number(
+        "key", "chosen key frame", player.key + 1, 1, 0, static_cast<double>(motion.keys.size()),
+        [c](double value) {
+            c->player.key = static_cast<int>(value) - 1;
+            if (c->player.key < 0) return;
+            c->play(false);
+            c->showMotionAt(c->workspace.motion.keys[static_cast<std::size_t>(c->player.key)].time);
+        });
+    if (player.key >= 0 && player.key < static_cast<int>(motion.keys.size())) {
+        const auto key = static_cast<std::size_t>(player.key);
+        const std::vector<std::string> easings{"linear", "smooth", "hold"};
+        all.choice("easing", "from the chosen key frame on",
+                   easings[static_cast<std::size_t>(motion.keys[key].easing)], easings,
+                   [c, key, easings](const std::string& wanted) {
+                       c->workspace.motion.keys[key].easing = static_cast<Easing>(
+                           std::find(easings.begin(), easings.end(), wanted) - easings.begin());
+                   });
+        all.command("remove key", "Take the chosen key frame away", "", [c] { c->removeKey(); });
+    }
+    all.number("frame rate", "pictures of a second", motion.framesPerSecond, 1, 1, 240,
+               [c](double value) { c->workspace.motion.framesPerSecond = value; });
+    const auto begin = [c](bool film) {
+        ExportOptions options = c->exporting;
+        c->exporting.motion = true;
+        c->exporting.plate = false;
+        c->exporting.film = film;
+        c->startExport();
+        c->exporting = options;
+    };
+    all.command("export motion", "Export the motion's pictures in a ZIP", "",
+                [begin] { begin(false); });
+    if (context.host.makesFilms())
+        all.command("export film", "Export the motion as a film (WebM)", "",
+                    [begin] { begin(true); });
+}
+
+}  // namespace versorium

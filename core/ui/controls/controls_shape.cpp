@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// The shape, and α and β over space, among the controls that the keyboard and a screen reader
+// reach.
+#include "ui/controls/control_list.h"
+#include "ui/session/shape_change.h"
+
+namespace versorium {
+namespace {
+
+void collectModulation(StudioContext& context, ControlList& all, bool alpha) {
+    StudioContext* c = &context;
+    const std::string id = alpha ? "modulation.alpha." : "modulation.beta.";
+    const std::string name = alpha ? "α" : "β";
+    const auto specOf = [alpha](Scene& scene) -> ModulationSpec& {
+        return alpha ? scene.alphaOverSpace : scene.betaOverSpace;
+    };
+    const ModulationSpec spec = specOf(context.workspace.view());
+    // False, and said, where the change does not suit.
+    const auto change = [c, specOf](const std::function<void(ModulationSpec&)>& set) {
+        Workspace next = c->workspace;
+        for (Scene& scene : next.views) set(specOf(scene));
+        const Status status = checkModulation(next.view());
+        c->report(status);
+        if (status.ok()) c->workspace = std::move(next);
+        return status.ok();
+    };
+    all.text(id + "shape", tr("{1} differs within this shape", {name}), spec.shape,
+             [c, change](const std::string& text) {
+                 const bool done = change([&](ModulationSpec& each) { each.shape = text; });
+                 if (done) c->touch();
+                 return done;
+             });
+    const auto number = [&](const char* part, const std::string& label, double value, double step,
+                            double ModulationSpec::*member) {
+        all.number(id + part, label, value, step, -kLargestModulated, kLargestModulated,
+                   [change, member](double wanted) {
+                       change([&](ModulationSpec& each) { each.*member = wanted; });
+                   });
+    };
+    if (!spec.shape.empty()) {
+        number("value", tr("{1} within that shape", {name}), spec.value, alpha ? 5 : 0.01,
+               &ModulationSpec::value);
+        number("from", tr("{1} has that value up to this distance", {name}), spec.from, 0.01,
+               &ModulationSpec::from);
+        number("to", tr("{1} is as usual from this distance on", {name}), spec.to, 0.01,
+               &ModulationSpec::to);
+    }
+    double& value = alpha ? context.drawing.alpha : context.drawing.beta;
+    all.number(id + "brush", tr("{1} of the brush", {name}), value, alpha ? 5 : 0.01,
+               -kLargestModulated, kLargestModulated, [&value](double wanted) { value = wanted; });
+    all.command(id + "dab", tr("Paint {1} at the orbit's starting point", {name}), "", [c, alpha] {
+        paintAtPoint(*c, alpha ? Drawing::Tool::alpha : Drawing::Tool::beta);
+    });
+    if (!spec.discs.empty())
+        all.command(id + "clear", tr("Take all paint of {1} away", {name}), "", [c, specOf] {
+            for (Scene& scene : c->workspace.views) specOf(scene).discs.clear();
+            c->touch();
+        });
+}
+
+}  // namespace
+
+void collectShape(StudioContext& context, ControlList& all) {
+    all.begin("Shape");
+    StudioContext* c = &context;
+    const Scene& scene = context.workspace.view();
+    std::vector<std::string> names;
+    for (const ShapeChoice& choice : shapeChoices()) names.emplace_back(choice.name);
+    all.choice("shape choice", "a shape to begin with", "", names, [c](const std::string& name) {
+        for (const ShapeChoice& choice : shapeChoices())
+            if (choice.name == name) return c->report(setShape(*c, choice.source));
+    });
+    const bool field = mapOf(scene).info.field;
+    all.text("shape", "shape, as a text or corners: polygon(x1, y1, x2, y2, …)",
+             field ? scene.shape.source : std::string(), [c, field](const std::string& text) {
+                 if (text.empty() && !field) return true;
+                 const Status status = setShape(*c, text);
+                 c->report(status);
+                 return status.ok();
+             });
+    if (!field) return;
+    for (const bool alpha : {true, false}) collectModulation(context, all, alpha);
+    if (const std::optional<PlaneInSpace> plane = markedPlane(context)) {
+        all.number("slice offset", "how far the slice lies from the origin", planeOffset(*plane),
+                   0.01, -1e6, 1e6, [c, plane = *plane](double value) {
+                       PlaneInSpace next = plane;
+                       next.origin += (value - planeOffset(plane)) * plane.normal();
+                       putPlane(*c, next);
+                   });
+        const auto tilt = [c, plane = *plane](bool about, double angle) {
+            const std::vector<double>& centre = c->workspace.view().slice.centre;
+            putPlane(*c,
+                     turned(plane, centre[0], centre[1], about ? plane.up : plane.right, angle));
+        };
+        constexpr double kTilt = 0.0872664626;  // 5 degrees
+        all.command("tilt right", "Tilt the slice about its upward axis", "",
+                    [tilt] { tilt(true, kTilt); });
+        all.command("tilt left", "Tilt it back", "", [tilt] { tilt(true, -kTilt); });
+        all.command("tilt up", "Tilt the slice about its axis to the right", "",
+                    [tilt] { tilt(false, kTilt); });
+        all.command("tilt down", "Tilt it down", "", [tilt] { tilt(false, -kTilt); });
+    }
+    all.number("brush radius", "radius of the brush", context.drawing.radius, 0.02, 1e-6, 1e6,
+               [c](double value) { c->drawing.radius = value; });
+    all.toggle("overlay", "show where α or β differ", context.drawing.overlay,
+               [c](bool on) { c->drawing.overlay = on; });
+}
+
+}  // namespace versorium

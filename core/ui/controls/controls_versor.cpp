@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// The versor's part of the list of controls: its roots as numbers, roots at random, circles.
+#include <algorithm>
+#include <cmath>
+
+#include "ui/controls/control_list.h"
+#include "ui/marks/root_marks.h"
+#include "ui/panels/roots_panel.h"
+
+namespace versorium {
+namespace {
+
+// Longer lists are reached root by root in the views.
+constexpr std::size_t kMostListed = 64;
+
+void collectRoots(StudioContext& context, ControlList& all) {
+    StudioContext* c = &context;
+    const Workspace& workspace = context.workspace;
+    const bool complex = mapOf(workspace.views[0]).info.algebra == Algebra::complex;
+    const std::vector<std::string> parts = complex ? std::vector<std::string>{"re", "im"}
+                                                   : std::vector<std::string>{"w", "x", "y", "z"};
+    std::vector<std::string> names;
+    for (const auto& [name, list] : workspace.views[0].lists) {
+        names.push_back(name);
+        for (std::size_t k = 0; k < std::min(kMostListed, list.roots.size()); ++k) {
+            const RootRef ref{name, static_cast<int>(k)};
+            const std::string id = name + "[" + std::to_string(k) + "].";
+            const auto number = [&](const std::string& part, double value, double step,
+                                    double most) {
+                all.number(id + part, id + part, value, step, -most, most,
+                           [c, number = id + part](double wanted) {
+                               setSharedNumber(c->workspace, number, wanted);
+                           });
+            };
+            for (std::size_t i = 0; i < parts.size(); ++i)
+                number(parts[i], list.roots[k].q[i], 0.05, 1e6);
+            number("power", list.roots[k].power, 1, kLargestRootPower);
+            all.command(id + "remove", tr("{1}: take it away", {id.substr(0, id.size() - 1)}), "",
+                        [c, ref] {
+                            c->versor.chosen = ref;
+                            removeChosenRoot(*c);
+                        });
+        }
+    }
+    all.choice("add root", "add a root or pole at the orbit's point", "", names,
+               [c](const std::string& list) { addRootAtPoint(*c, list); });
+    all.toggle("show roots", "roots and poles in the views", workspace.showRoots,
+               [c](bool on) { c->workspace.showRoots = on; });
+    if (!sumOrProductOf(workspace.views[0].map).empty())
+        all.choice("versor from", "versor d from the product or the sum over its roots",
+                   isRootSum(workspace.views[0].map) ? "sum" : "product", {"product", "sum"},
+                   [c](const std::string& word) { takeRootSum(c->workspace, word == "sum"); });
+}
+
+void collectRandom(StudioContext& context, ControlList& all) {
+    StudioContext* c = &context;
+    RandomRoots& options = context.versor.draw.options;
+    const auto whole = [&](const char* id, const char* label, int& value, int low, int high) {
+        all.number(id, label, value, 1, low, high,
+                   [&value](double wanted) { value = static_cast<int>(wanted); });
+    };
+    const auto real = [&](const char* id, const char* label, double& value, double step, double low,
+                          double high) {
+        all.number(id, label, value, step, low, high, [&value](double wanted) { value = wanted; });
+    };
+    whole("random least", "roots at random: least number", options.least, 1, kMostRandomRoots);
+    whole("random most", "roots at random: largest number", options.most, 1, kMostRandomRoots);
+    real("random low", "roots at random: least power", options.lowPower, 0.5, -20, 20);
+    real("random high", "roots at random: largest power", options.highPower, 0.5, -20, 20);
+    all.choice("random powers", "roots at random: powers", options.wholePowers ? "whole" : "real",
+               {"whole", "real"},
+               [&options](const std::string& word) { options.wholePowers = word == "whole"; });
+    const std::vector<std::string> words{trLater("even"), trLater("clustered"), trLater("spread")};
+    all.choice("random arrangement", "roots at random: arrangement",
+               words[static_cast<std::size_t>(options.arrangement)], words,
+               [&options, words](const std::string& word) {
+                   options.arrangement = static_cast<RootArrangement>(
+                       std::find(words.begin(), words.end(), word) - words.begin());
+               });
+    whole("random clusters", "roots at random: clusters", options.clusters, 1, 100);
+    real("random cluster size", "roots at random: size of a cluster", options.clusterRadius, 0.05,
+         0.001, 0.999);
+    all.choice("random region", "roots at random: region", options.ball ? "ball" : "box",
+               {"box", "ball"},
+               [&options](const std::string& word) { options.ball = word == "ball"; });
+    whole("random seed", "roots at random: seed", context.versor.draw.seed, 0, 2147483647);
+    all.command("draw roots", "Draw the roots of the seed", "",
+                [c] { drawRoots(*c, c->versor.draw.seed); });
+    whole("candidates", "candidates on the sheet", context.sheet.count, ContactSheet::kLeast,
+          ContactSheet::kMost);
+    // The sheet's candidates, one of which may be taken without seeing them.
+    for (std::size_t k = 0; context.sheet.open && k < context.sheet.candidates.size(); ++k)
+        all.command("candidate " + std::to_string(k + 1),
+                    tr("Take the candidate of seed {1}",
+                       {std::to_string(context.sheet.candidates[k].seed)}),
+                    "", [c, k] {
+                        pickCandidate(*c, static_cast<int>(k));
+                        c->sheet.open = false;
+                    });
+}
+
+void collectCircles(StudioContext& context, ControlList& all) {
+    all.begin("Basins and circles");
+    StudioContext* c = &context;
+    const Workspace& workspace = context.workspace;
+    all.toggle("basins", "where capture or escape is certain", workspace.basins,
+               [c](bool on) { c->workspace.basins = on; });
+    all.command("drop circle", "Drop a circle around 0", "O", [c] { dropCircle(*c); });
+    const MapKernels& map = mapOf(workspace.views[0]);
+    for (std::size_t k = 0; k < workspace.circles.size(); ++k) {
+        const std::string id = "circles[" + std::to_string(k) + "].";
+        const std::string number = std::to_string(k + 1);
+        all.number(id + "radius", tr("circle {1}: radius", {number}), workspace.circles[k].radius,
+                   0.05, 1e-12, 1e6,
+                   [c, k](double value) { c->workspace.circles[k].radius = value; });
+        for (int i = 0; i < map.dimension; ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            all.number(id + "centre" + std::to_string(i),
+                       tr("circle {1}: centre {2}", {number, stateComponent(map.info, i)}),
+                       workspace.circles[k].centre[at], 0.05, -1e6, 1e6,
+                       [c, k, at](double value) { c->workspace.circles[k].centre[at] = value; });
+        }
+        all.command(id + "remove", tr("circle {1}: take it away", {number}), "",
+                    [c, k] { removeCircle(*c, static_cast<int>(k)); });
+    }
+}
+
+}  // namespace
+
+void collectVersor(StudioContext& context, ControlList& all) {
+    if (hasRoots(context.workspace)) {
+        all.begin("Versor: roots and poles");
+        collectRoots(context, all);
+        collectRandom(context, all);
+    }
+    if (takesCircles(context.workspace)) collectCircles(context, all);
+}
+
+}  // namespace versorium

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#include "ui/session/contact_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ui/backend/texture.h"
+#include "ui/session/context.h"
+#include "ui/widgets/help.h"
+#include "ui/widgets/panel_parts.h"
+
+namespace versorium {
+namespace {
+
+constexpr int kPictureHeight = 200;  // pixels
+constexpr int kMostSteps = 2000;     // of a small picture, as of the gallery's
+
+// The marked view, or one beside it that shows starting points.
+const Scene& viewOf(const Workspace& workspace) {
+    if (!showsParameters(workspace.view())) return workspace.view();
+    for (const Scene& scene : workspace.views)
+        if (!showsParameters(scene)) return scene;
+    return workspace.view();
+}
+
+void forget(ContactSheet& sheet) {
+    for (ContactSheet::Candidate& one : sheet.candidates) freeTexture(one.texture);
+    sheet.candidates.clear();
+    sheet.asked = -1;
+}
+
+void askForNext(StudioContext& context) {
+    ContactSheet& sheet = context.sheet;
+    if (sheet.asked >= 0) return;
+    const auto missing =
+        std::find_if(sheet.candidates.begin(), sheet.candidates.end(),
+                     [](const auto& one) { return one.rgba.empty() && one.message.empty(); });
+    if (missing == sheet.candidates.end()) return;
+    context.gallery.letGo();
+    Scene scene = viewOf(context.workspace);
+    scene.lists[drawnList(context.workspace)] = missing->roots;
+    scene.iterations = std::min(scene.iterations, kMostSteps);
+    // What the small picture shows is a rectangle of 4 to 3.
+    PictureRequest request;
+    request.view = kThumbnails;
+    request.id = ++sheet.id;
+    request.scene = sceneToJson(scene).dump();
+    request.size = {kPictureHeight * 4 / 3, kPictureHeight};
+    request.samples = 2;
+    sheet.asked = static_cast<int>(missing - sheet.candidates.begin());
+    context.host.requestPicture(std::move(request));
+}
+
+int moved(int chosen, int columns, int count) {
+    const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(key, true); };
+    if (pressed(ImGuiKey_RightArrow)) return std::min(chosen + 1, count - 1);
+    if (pressed(ImGuiKey_LeftArrow)) return std::max(chosen - 1, 0);
+    if (pressed(ImGuiKey_DownArrow)) return std::min(chosen + columns, count - 1);
+    if (pressed(ImGuiKey_UpArrow)) return chosen >= columns ? chosen - columns : chosen;
+    if (pressed(ImGuiKey_Home)) return 0;
+    if (pressed(ImGuiKey_End)) return count - 1;
+    return chosen;
+}
+
+// True when it was taken.
+bool drawCell(ContactSheet::Candidate& one, bool chosen, ImVec2 size, float scale) {
+    const ImVec2 low = ImGui::GetCursorScreenPos(), high{low.x + size.x, low.y + size.y};
+    ImGui::PushID(one.seed);
+    const bool taken = ImGui::InvisibleButton("candidate", size);
+    explain("candidate");
+    ImGui::PopID();
+    const float text = ImGui::GetTextLineHeight() + 6 * scale;
+    const ImVec2 corner{high.x, high.y - text};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_FrameBg), 6);
+    list.AddRectFilled(low, corner, ImGui::GetColorU32(ImGuiCol_WindowBg), 6);
+    if (!one.rgba.empty()) {
+        if (one.texture == 0) one.texture = putTexture(0, one.size, one.rgba.data());
+        list.AddImageRounded(textureId(one.texture), low, corner, {0, 0}, {1, 1}, IM_COL32_WHITE, 6,
+                             ImDrawFlags_RoundCornersTop);
+    }
+    const std::string label =
+        tr(one.roots.roots.size() == 1 ? trLater("seed {1} · {2} root")
+                                       : trLater("seed {1} · {2} roots"),
+           {std::to_string(one.seed), std::to_string(one.roots.roots.size())}) +
+        (one.message.empty() ? one.rgba.empty() ? " …" : "" : ": " + trMessage(one.message));
+    ImGui::PushClipRect({low.x + 4, low.y}, {high.x - 4, high.y}, true);
+    list.AddText({low.x + 8, corner.y + 3 * scale}, ImGui::GetColorU32(ImGuiCol_Text),
+                 label.c_str());
+    ImGui::PopClipRect();
+    if (chosen || ImGui::IsItemHovered())
+        list.AddRect(low, high,
+                     ImGui::GetColorU32(chosen ? ImGuiCol_CheckMark : ImGuiCol_TextDisabled), 6, 0,
+                     chosen ? 2.5f : 1.0f);
+    return taken;
+}
+
+}  // namespace
+
+void ContactSheet::contextLost() {
+    for (Candidate& one : candidates) one.texture = 0;
+}
+
+void openContactSheet(StudioContext& context, int seed) {
+    if (!hasRoots(context.workspace))
+        return context.say("This map has no roots that could be drawn");
+    const Expected<RandomRoots> options = drawOptions(context);
+    if (!options) return context.report(options.status());
+    ContactSheet& sheet = context.sheet;
+    forget(sheet);
+    sheet.count = std::clamp(sheet.count, ContactSheet::kLeast, ContactSheet::kMost);
+    for (int k = 0; k < sheet.count; ++k) {
+        ContactSheet::Candidate one;
+        one.seed = seed > std::numeric_limits<int>::max() - k ? k : seed + k;
+        one.roots = randomRoots(*options, static_cast<std::uint64_t>(one.seed));
+        sheet.candidates.push_back(std::move(one));
+    }
+    sheet.at = std::min(sheet.at, sheet.count - 1);
+    sheet.open = true;
+    context.host.wake();
+}
+
+bool takeCandidate(StudioContext& context, PictureAnswer& answer) {
+    ContactSheet& sheet = context.sheet;
+    if (sheet.asked < 0 || answer.id != sheet.id) return false;
+    ContactSheet::Candidate& one = sheet.candidates[static_cast<std::size_t>(sheet.asked)];
+    sheet.asked = -1;
+    one.message = std::move(answer.message);
+    if (!one.message.empty()) return true;
+    one.rgba = std::move(answer.rgba);
+    one.size = answer.size;
+    return true;
+}
+
+void pickCandidate(StudioContext& context, int candidate) {
+    ContactSheet& sheet = context.sheet;
+    if (candidate < 0 || candidate >= static_cast<int>(sheet.candidates.size())) return;
+    const ContactSheet::Candidate& one = sheet.candidates[static_cast<std::size_t>(candidate)];
+    const Status status = setRootList(context.workspace, drawnList(context.workspace), one.roots);
+    if (!status.ok()) return context.report(status);
+    context.versor.draw.seed = one.seed;
+    context.versor.chosen = {};
+    context.touch();
+    context.say(tr("The versor of seed {1}: {2} roots",
+                   {std::to_string(one.seed), std::to_string(one.roots.roots.size())}));
+}
+
+void drawContactSheet(StudioContext& context) {
+    ContactSheet& sheet = context.sheet;
+    const std::string window = named("Candidates for the versor d");
+    if (sheet.open && !ImGui::IsPopupOpen(window.c_str())) ImGui::OpenPopup(window.c_str());
+    const ImGuiViewport& screen = *ImGui::GetMainViewport();
+    ImGui::SetNextWindowPos(screen.GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize(
+        {std::min(980.0f * context.scale, screen.Size.x * 0.96f), screen.Size.y * 0.86f});
+    if (!ImGui::BeginPopupModal(window.c_str(), &sheet.open, ImGuiWindowFlags_NoResize)) {
+        if (!sheet.open && !sheet.candidates.empty()) forget(sheet);
+        return;
+    }
+    bool idle = true;
+    for (const ViewState& view : context.views) idle = idle && !view.picture.waiting();
+    if (idle) askForNext(context);
+    int more = -1, taken = -1;
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 7);
+    ImGui::SliderInt("##count", &sheet.count, ContactSheet::kLeast, ContactSheet::kMost,
+                     tr("%d candidates"), ImGuiSliderFlags_AlwaysClamp);
+    if (ImGui::IsItemDeactivatedAfterEdit()) more = sheet.candidates.front().seed;
+    explain("candidates");
+    ImGui::SameLine();
+    if (ImGui::Button(tr("More"))) more = sheet.candidates.back().seed + 1;
+    explain("more candidates");
+    ImGui::SameLine();
+    if (ImGui::Button(tr("Take it"))) taken = sheet.at;
+    explain("take candidate");
+    ImGui::SameLine();
+    if (ImGui::Button(tr("Close"))) sheet.open = false;
+    explain("close");
+    ImGui::BeginChild("candidates");
+    const int count = static_cast<int>(sheet.candidates.size());
+    const float gap = 10 * context.scale, room = ImGui::GetContentRegionAvail().x;
+    const int fitting = std::max(1, static_cast<int>((room + gap) / (220 * context.scale + gap)));
+    const int columns = std::min(fitting, count <= 4 ? 2 : 3);
+    const float wide = (room - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+    const float tall = wide * 0.75f + ImGui::GetTextLineHeight() + 6 * context.scale;
+    const int before = sheet.at;
+    sheet.at = std::clamp(moved(sheet.at, columns, count), 0, std::max(0, count - 1));
+    for (int k = 0; k < count; ++k) {
+        if (k % columns > 0) ImGui::SameLine(0, gap);
+        if (drawCell(sheet.candidates[static_cast<std::size_t>(k)], k == sheet.at, {wide, tall},
+                     context.scale))
+            taken = sheet.at = k;
+        if (k == sheet.at && before != sheet.at) ImGui::SetScrollHereY(0.5f);
+    }
+    ImGui::EndChild();
+    if (ImGui::IsKeyPressed(ImGuiKey_Enter, false) ||
+        ImGui::IsKeyPressed(ImGuiKey_KeypadEnter, false))
+        taken = sheet.at;
+    if (taken >= 0) pickCandidate(context, taken);
+    if (taken >= 0 || ImGui::IsKeyPressed(ImGuiKey_Escape)) sheet.open = false;
+    if (!sheet.open) {
+        forget(sheet);
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+    if (more >= 0) openContactSheet(context, more);
+}
+
+}  // namespace versorium

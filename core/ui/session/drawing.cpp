@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+#include "ui/session/drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "shape/outline.h"
+#include "ui/session/shape_change.h"
+#include "ui/session/view_plane.h"
+
+namespace versorium {
+namespace {
+
+constexpr float kCloses = 14;       // how near the first corner closes an outline, at scale 1
+constexpr float kLeastStroke = 40;  // pixels that a freehand outline is wide at least, at scale 1
+constexpr float kLeastMove = 2.5f;  // pixels between corners of a stroke
+constexpr double kSmooth = 1.2;     // pixels that a simplified stroke may be off
+constexpr double kDabs = 0.4;       // of the brush's radius, between two dabs of a stroke
+
+float distance(ImVec2 a, ImVec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+ImVec2 cornerAt(const ViewPlane& plane, const glm::dvec2& corner) {
+    return plane.at(corner.x, corner.y);
+}
+
+// How far the corners since the press reach on the screen.
+float strokeSize(const Drawing& drawing, const ViewPlane& plane) {
+    ImVec2 low{1e9f, 1e9f}, high{-1e9f, -1e9f};
+    for (const glm::dvec2& corner : drawing.corners) {
+        const ImVec2 at = cornerAt(plane, corner);
+        low = {std::min(low.x, at.x), std::min(low.y, at.y)};
+        high = {std::max(high.x, at.x), std::max(high.y, at.y)};
+    }
+    return std::min(high.x - low.x, high.y - low.y);
+}
+
+void drawOutline(StudioContext& context, int view, const ViewPlane& plane, bool hovered,
+                 bool active) {
+    Drawing& drawing = context.drawing;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const glm::dvec2 here(plane.u(mouse.x), plane.v(mouse.y));
+    const float scale = context.scale;
+    if (hovered && ImGui::IsMouseClicked(0)) {
+        context.welcome = false;
+        context.animation.running = false;
+        if (view != drawing.view) drawing.corners.clear();
+        drawing.view = view;
+        context.mark(view);
+        if (drawing.corners.size() >= 3 &&
+            distance(cornerAt(plane, drawing.corners[0]), mouse) < kCloses * scale)
+            return finishOutline(context);
+        drawing.corners.push_back(here);
+        drawing.pressed = true;
+        drawing.pressedAt = mouse;
+        return;
+    }
+    if (view != drawing.view || !drawing.pressed) return;
+    const bool dragged = distance(mouse, drawing.pressedAt) > kCloses * scale;
+    if (active) {
+        if (drawing.corners.size() < 4 * kMostOutlineCorners &&
+            distance(cornerAt(plane, drawing.corners.back()), mouse) >= kLeastMove * scale)
+            drawing.corners.push_back(here);
+        return;
+    }
+    drawing.pressed = false;
+    // A stroke closes the outline; a click, with the tremble of a finger, is one corner.
+    if (drawing.corners.size() > 12 && strokeSize(drawing, plane) > kLeastStroke * scale &&
+        (dragged || drawing.corners.size() > 40)) {
+        drawing.corners = simplifyOutline(drawing.corners, kSmooth / plane.unit());
+        return finishOutline(context);
+    }
+    while (!drawing.corners.empty() && drawing.corners.size() > 1 &&
+           distance(cornerAt(plane, drawing.corners[drawing.corners.size() - 2]),
+                    drawing.pressedAt) < kCloses * scale &&
+           distance(cornerAt(plane, drawing.corners.back()), drawing.pressedAt) < kCloses * scale)
+        drawing.corners.pop_back();
+}
+
+ModulationSpec& painted(Scene& scene, Drawing::Tool tool) {
+    return tool == Drawing::Tool::alpha ? scene.alphaOverSpace : scene.betaOverSpace;
+}
+
+void dabAt(StudioContext& context, Drawing::Tool tool, const std::array<double, 3>& place) {
+    const Drawing& drawing = context.drawing;
+    const auto [x, y, z] = place;
+    const double value = tool == Drawing::Tool::alpha ? drawing.alpha : drawing.beta;
+    for (Scene& each : context.workspace.views) {
+        auto& discs = painted(each, tool).discs;
+        if (drawing.erases)
+            std::erase_if(discs, [&, x = x, y = y, z = z](const PaintedDisc& disc) {
+                const double far = std::hypot(disc.x - x, disc.y - y, disc.z - z);
+                return far < std::max(drawing.radius, 0.5 * disc.radius);
+            });
+        else if (discs.size() < kMostPaintedDiscs)
+            discs.push_back({x, y, z, drawing.radius, value});
+        else
+            return context.say(
+                "There are as many dabs as may be: erase some, or use a larger "
+                "brush");
+    }
+    context.touch();
+}
+
+void dab(StudioContext& context, int view, double u, double v) {
+    const OrbitProgram* program = context.program(view);
+    if (!program) return;
+    const Scene& scene = context.workspace.views[static_cast<std::size_t>(view)];
+    dabAt(context, context.drawing.tool, shapePlace(scene, *program, u, v));
+}
+
+void paint(StudioContext& context, int view, const ViewPlane& plane, bool hovered, bool active) {
+    Drawing& drawing = context.drawing;
+    const ImGuiIO& io = ImGui::GetIO();
+    const glm::dvec2 here(plane.u(io.MousePos.x), plane.v(io.MousePos.y));
+    if (hovered && ImGui::IsMouseClicked(0)) {
+        context.mark(view);
+        context.animation.running = false;
+        drawing.view = view;
+        drawing.pressed = true;
+        drawing.lastDab = here;
+        dab(context, view, here.x, here.y);
+        return;
+    }
+    if (!drawing.pressed || view != drawing.view) return;
+    drawing.pressed = active;  // a quick stroke may end in the frame of its last move
+    // Dabs at even distances, however fast the hand was.
+    const double step = kDabs * drawing.radius;
+    for (int k = 0; k < 200 && glm::distance(here, drawing.lastDab) >= step; ++k) {
+        drawing.lastDab += step / glm::distance(here, drawing.lastDab) * (here - drawing.lastDab);
+        dab(context, view, drawing.lastDab.x, drawing.lastDab.y);
+    }
+}
+
+}  // namespace
+
+void chooseTool(StudioContext& context, Drawing::Tool tool) {
+    Drawing& drawing = context.drawing;
+    const bool same = drawing.tool == tool;
+    drawing.tool = same ? Drawing::Tool::none : tool;
+    drawing.corners.clear();
+    drawing.pressed = false;
+    drawing.view = -1;
+    context.animation.running = false;
+    context.welcome = false;
+    if (drawing.tool == Drawing::Tool::none) return;
+    if (drawing.isBrush() && !mapOf(context.workspace.view()).info.field) {
+        drawing.tool = Drawing::Tool::none;
+        return context.say("This map has no α and β: draw a shape first (D)");
+    }
+    // On a phone one view is shown: the one that is drawn in.
+    Workspace& workspace = context.workspace;
+    for (int k = static_cast<int>(workspace.views.size()) - 1;
+         k >= 0 && showsParameters(workspace.view()); --k)
+        if (!showsParameters(workspace.views[static_cast<std::size_t>(k)])) context.mark(k);
+    context.host.announce(drawingHint(context));
+    context.host.wake();
+}
+
+bool handleDrawing(StudioContext& context, int view, const ViewPlane& plane, bool hovered,
+                   bool active) {
+    Drawing& drawing = context.drawing;
+    if (drawing.tool == Drawing::Tool::none) return false;
+    const Scene& scene = context.workspace.views[static_cast<std::size_t>(view)];
+    // A second finger moves the view, and the stroke is not meant.
+    if (context.views[static_cast<std::size_t>(view)].drag == ViewState::Drag::pinch) {
+        drawing.corners.clear();
+        drawing.pressed = false;
+        return false;
+    }
+    if (scene.slice.axes.size() < 2) return false;
+    if (ImGui::IsMouseDown(1)) return false;
+    if (drawing.tool == Drawing::Tool::outline) {
+        drawOutline(context, view, plane, hovered, active);
+        return true;
+    }
+    if (showsParameters(scene)) return false;
+    paint(context, view, plane, hovered, active);
+    return true;
+}
+
+bool drawingKeys(StudioContext& context) {
+    Drawing& drawing = context.drawing;
+    if (drawing.tool == Drawing::Tool::none) return false;
+    if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) {
+        chooseTool(context, drawing.tool);
+        return true;
+    }
+    if (drawing.tool != Drawing::Tool::outline || drawing.corners.empty()) return false;
+    if (ImGui::IsKeyPressed(ImGuiKey_Enter, false) ||
+        ImGui::IsKeyPressed(ImGuiKey_KeypadEnter, false)) {
+        finishOutline(context);
+        return true;
+    }
+    if (ImGui::IsKeyPressed(ImGuiKey_Backspace)) {
+        drawing.corners.pop_back();
+        return true;
+    }
+    return false;
+}
+
+std::string drawingHint(const StudioContext& context) {
+    switch (context.drawing.tool) {
+        case Drawing::Tool::outline:
+            return tr(
+                "Draw an outline in one stroke, or click its corners and close it. Esc: stop");
+        case Drawing::Tool::alpha:
+            return tr("Paint: where you paint, α becomes {1}. Esc: the brush down",
+                      {shownNumber(context.drawing.alpha, 4)});
+        case Drawing::Tool::beta:
+            return tr("Paint: where you paint, β becomes {1}. Esc: the brush down",
+                      {shownNumber(context.drawing.beta, 4)});
+        default:
+            return {};
+    }
+}
+
+void paintAtPoint(StudioContext& context, Drawing::Tool tool) {
+    const OrbitProgram* program = context.orbitProgram();
+    if (!program || !program->field) return context.say("There is no shape to paint on");
+    const Scene scene = orbitScene(context.workspace);
+    const std::vector<double>& centre = scene.slice.centre;
+    dabAt(context, tool, shapePlace(scene, *program, centre[0], centre.size() > 1 ? centre[1] : 0));
+}
+
+void finishOutline(StudioContext& context) {
+    Drawing& drawing = context.drawing;
+    std::vector<glm::dvec2> corners;
+    corners.swap(drawing.corners);
+    drawing.pressed = false;
+    if (corners.size() < 3) return context.say("An outline has three corners at least");
+    // The shape is looked up at x - shift.
+    const Scene& scene = context.workspace.view();
+    const MapInfo& info = mapOf(scene).info;
+    if (info.field && info.algebra == Algebra::complex && !showsParameters(scene))
+        for (glm::dvec2& corner : corners) {
+            const std::vector<double>& shift = scene.parameters.at("shift");
+            corner -= glm::dvec2(shift[0], shift[1]);
+        }
+    Job job(1);
+    Expected<std::vector<glm::dvec2>> placed = parseOutline(printOutline(corners));
+    if (placed) placed = aroundOrigin(std::move(*placed), job);
+    if (!placed) return context.report(placed.status());
+    if (const Status status = setDrawnShape(context, printOutline(*placed)); !status.ok())
+        return context.report(status);
+    drawing.tool = Drawing::Tool::none;
+    for (std::size_t k = 0; k < context.workspace.views.size(); ++k)
+        if (!showsParameters(context.workspace.views[k])) context.mark(static_cast<int>(k));
+    context.say("The Julia set of your shape. Turn α for detail, β to grow it");
+}
+
+}  // namespace versorium
