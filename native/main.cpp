@@ -48,6 +48,7 @@ int main(int argc, char** argv) {
     versorium::addAnimateCommand(line);
     versorium::addMeasureCommands(line);
     versorium::addDynamicsCommands(line);
+    versorium::addValuesCommand(line);
     versorium::addShapeCommands(line);
     versorium::addFileCommands(line);
     versorium::addLessonCommands(line);

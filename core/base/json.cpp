@@ -169,6 +169,75 @@ std::string formatNumber(double value, int digits) {
     return buffer;
 }
 
+Json numbersToJson(const std::vector<double>& values) {
+    Json list = Json::array();
+    for (double value : values) list.push_back(value);
+    return list;
+}
+
+Status readNumber(const Json& json, double low, double high, double& value) {
+    if (!json.is_number()) return Status::data("a number is expected");
+    const double number = json.get<double>();
+    if (!(number >= low && number <= high))
+        return Status::data(formatNumber(number) + " is out of range: " + formatNumber(low) +
+                            " to " + formatNumber(high));
+    value = number;
+    return {};
+}
+
+Status readWhole(const Json& json, int low, int high, int& value) {
+    double number = 0;
+    if (Status status = readNumber(json, low, high, number); !status.ok()) return status;
+    if (number != std::floor(number))
+        return Status::data(formatNumber(number) + " is not a whole number");
+    value = static_cast<int>(number);
+    return {};
+}
+
+Status readToggle(const Json& json, bool& value) {
+    if (!json.is_boolean()) return Status::data("true or false is expected");
+    value = json.get<bool>();
+    return {};
+}
+
+Status readText(const Json& json, std::string& value) {
+    if (!json.is_string()) return Status::data("a text in quotes is expected");
+    value = json.get<std::string>();
+    return {};
+}
+
+Status readWord(const Json& json, const std::vector<std::string>& words, std::string& value) {
+    std::string chosen;
+    if (Status status = readText(json, chosen); !status.ok()) return status;
+    std::string all;
+    for (const std::string& word : words) {
+        if (word == chosen) {
+            value = chosen;
+            return {};
+        }
+        all += (all.empty() ? "" : ", ") + word;
+    }
+    return Status::data("\"" + chosen + "\" is not one of: " + all);
+}
+
+Status readNumbers(const Json& json, std::size_t least, std::size_t most,
+                   std::vector<double>& value) {
+    const Json list = json.is_number() ? Json::array({json}) : json;
+    std::vector<double> read;
+    bool good = list.is_array() && list.size() >= least && list.size() <= most;
+    for (std::size_t k = 0; good && k < list.size(); ++k) {
+        good = list[k].is_number() && std::isfinite(list[k].get<double>());
+        if (good) read.push_back(list[k].get<double>());
+    }
+    if (!good)
+        return Status::data(least == most
+                                ? "a list of " + std::to_string(least) + " numbers is expected"
+                                : "a list of " + std::to_string(least) + " to " +
+                                      std::to_string(most) + " numbers is expected");
+    value = std::move(read);
+    return {};
+}
+
 ObjectReader::ObjectReader(const Json& value, std::string path)
     : value_(value), path_(std::move(path)) {
     if (!value_.is_object()) fail("an object { … } is expected here");
@@ -197,91 +266,35 @@ const Json* ObjectReader::child(const char* key) {
 }
 
 ObjectReader& ObjectReader::number(const char* key, double& value, double low, double high) {
-    const Json* found = child(key);
-    if (!found) return *this;
-    if (!found->is_number()) {
-        fail(key, "a number is expected");
-        return *this;
-    }
-    const double number = found->get<double>();
-    if (!(number >= low && number <= high))
-        fail(key, formatNumber(number) + " is out of range: " + formatNumber(low) + " to " +
-                      formatNumber(high));
-    else
-        value = number;
+    if (const Json* found = child(key)) fail(readNumber(*found, low, high, value).in(pathOf(key)));
     return *this;
 }
 
 ObjectReader& ObjectReader::integer(const char* key, int& value, int low, int high) {
-    double number = value;
-    const Json* found = child(key);
-    if (!found) return *this;
-    const bool before = failed();
-    this->number(key, number, low, high);
-    if (failed() && !before) return *this;
-    if (number != std::floor(number))
-        fail(key, formatNumber(number) + " is not a whole number");
-    else
-        value = static_cast<int>(number);
+    if (const Json* found = child(key)) fail(readWhole(*found, low, high, value).in(pathOf(key)));
     return *this;
 }
 
 ObjectReader& ObjectReader::boolean(const char* key, bool& value) {
-    const Json* found = child(key);
-    if (!found) return *this;
-    if (found->is_boolean())
-        value = found->get<bool>();
-    else
-        fail(key, "true or false is expected");
+    if (const Json* found = child(key)) fail(readToggle(*found, value).in(pathOf(key)));
     return *this;
 }
 
 ObjectReader& ObjectReader::text(const char* key, std::string& value) {
-    const Json* found = child(key);
-    if (!found) return *this;
-    if (found->is_string())
-        value = found->get<std::string>();
-    else
-        fail(key, "a text in quotes is expected");
+    if (const Json* found = child(key)) fail(readText(*found, value).in(pathOf(key)));
     return *this;
 }
 
 ObjectReader& ObjectReader::word(const char* key, std::string& value,
                                  const std::vector<std::string>& words) {
-    std::string chosen = value;
-    text(key, chosen);
-    if (failed() || !has(key)) return *this;
-    for (const std::string& word : words)
-        if (word == chosen) {
-            value = chosen;
-            return *this;
-        }
-    std::string all;
-    for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
-    fail(key, "\"" + chosen + "\" is not one of: " + all);
+    if (const Json* found = child(key)) fail(readWord(*found, words, value).in(pathOf(key)));
     return *this;
 }
 
 ObjectReader& ObjectReader::numbers(const char* key, std::vector<double>& value, std::size_t least,
                                     std::size_t most) {
-    const Json* found = child(key);
-    if (!found) return *this;
-    std::vector<double> read;
-    // A single number stands for a list of one.
-    const Json list = found->is_number() ? Json::array({*found}) : *found;
-    bool good = list.is_array() && list.size() >= least && list.size() <= most;
-    if (good)
-        for (const Json& item : list) {
-            good = good && item.is_number() && std::isfinite(item.get<double>());
-            if (good) read.push_back(item.get<double>());
-        }
-    if (good) {
-        value = std::move(read);
-        return *this;
-    }
-    fail(key, least == most ? "a list of " + std::to_string(least) + " numbers is expected"
-                            : "a list of " + std::to_string(least) + " to " + std::to_string(most) +
-                                  " numbers is expected");
+    if (const Json* found = child(key))
+        fail(readNumbers(*found, least, most, value).in(pathOf(key)));
     return *this;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/status.h"
+#include "base/words.h"
 
 namespace versorium {
 
@@ -30,6 +31,16 @@ std::string formatNumber(double value);
 // The same rounded to the given number of significant digits.
 std::string formatNumber(double value, int digits);
 
+// Checked reading of one value; the message has no path.
+Status readNumber(const Json& json, double low, double high, double& value);
+Status readWhole(const Json& json, int low, int high, int& value);
+Status readToggle(const Json& json, bool& value);
+Status readText(const Json& json, std::string& value);
+Status readWord(const Json& json, const std::vector<std::string>& words, std::string& value);
+// A single number stands for a list of one.
+Status readNumbers(const Json& json, std::size_t least, std::size_t most,
+                   std::vector<double>& value);
+Json numbersToJson(const std::vector<double>& values);
 // Reads the members of one object with checks. Every key that is asked for is known; `finish`
 // reports the first fault, or the first key that nobody asked for. A key that is absent leaves the
 // value as it was.
@@ -44,6 +55,22 @@ class ObjectReader {
     ObjectReader& text(const char* key, std::string& value);
     // One of the given words.
     ObjectReader& word(const char* key, std::string& value, const std::vector<std::string>& words);
+    template <Worded E>
+    ObjectReader& word(const char* key, E& value) {
+        std::string chosen(wordOf(value));
+        word(key, chosen, wordsOf<E>());
+        value = *fromWord<E>(chosen);
+        return *this;
+    }
+    template <Worded E>
+    ObjectReader& word(const char* key, std::optional<E>& value) {
+        std::string chosen(wordOf(value));
+        std::vector<std::string> words = wordsOf<E>();
+        words.insert(words.begin(), "");
+        word(key, chosen, words);
+        value = fromWord<E>(chosen);
+        return *this;
+    }
     // A list of finite numbers with least ≤ size ≤ most.
     ObjectReader& numbers(const char* key, std::vector<double>& value, std::size_t least,
                           std::size_t most);

@@ -10,10 +10,32 @@
 // values, as the authors' shaders wrote them to the screen; the power acts on each of the three
 // and not on alpha. Results here, as everywhere, are linear light with straight alpha.
 
+#include "base/words.h"
 #include "colour/palette.h"
 #include "colour/srgb.h"
 
 namespace versorium {
+
+// What a picture's colours show.
+enum class ColourRule {
+    palette,   // a field, by a palette
+    gradient,  // the escape step, by A eqs 14 and 15
+    versor,    // the versor's imaginary parts
+    phase,     // the argument, on a cyclic palette
+    domain,    // the argument with edges of the polar grid
+};
+template <>
+struct EnumWords<ColourRule> {
+    static constexpr std::array<std::string_view, 5> table{"palette", "gradient", "versor", "phase",
+                                                           "domain"};
+};
+
+// Of the gradient: eq 14, eq 15, or a logarithmic axis.
+enum class Smoothing { none, ratio, logLog };
+template <>
+struct EnumWords<Smoothing> {
+    static constexpr std::array<std::string_view, 3> table{"none", "ratio", "log-log"};
+};
 
 // sRGB-encoded values in [0, 1].
 struct DisplayColour {

@@ -10,8 +10,6 @@
 namespace versorium {
 namespace {
 
-constexpr std::array<const char*, 5> kWords = {"linear", "log", "truncated_log", "sqrt", "cyclic"};
-
 double signedRoot(double x) { return x < 0 ? -versorium::sqrt(-x) : versorium::sqrt(x); }
 
 // The quantity in which the scale is linear. `value` may be anything.
@@ -62,15 +60,6 @@ Status Scale::check() const {
     if (kind == ScaleKind::log && !(low > 0 && high > 0))
         return Status::usage("a logarithmic colour scale needs ends above 0");
     return {};
-}
-
-const char* wordOf(ScaleKind kind) { return kWords[static_cast<std::size_t>(kind)]; }
-
-Expected<ScaleKind> scaleKindFromWord(std::string_view word) {
-    for (std::size_t i = 0; i < kWords.size(); ++i)
-        if (word == kWords[i]) return static_cast<ScaleKind>(i);
-    return Status::usage("no colour scale is called \"" + std::string(word.substr(0, 60)) +
-                         "\"; there are: linear, log, truncated_log, sqrt, cyclic");
 }
 
 }  // namespace versorium

@@ -10,13 +10,18 @@
 // All but `cyclic` are cut to [0, 1]. NaN stays NaN, which a palette shows in its own colour. A
 // scale may run downwards (low > high).
 
-#include <string_view>
-
 #include "base/status.h"
+#include "base/words.h"
 
 namespace versorium {
 
 enum class ScaleKind { linear, log, truncatedLog, sqrt, cyclic };
+
+template <>
+struct EnumWords<ScaleKind> {
+    static constexpr std::array<std::string_view, 5> table{"linear", "log", "truncated_log", "sqrt",
+                                                           "cyclic"};
+};
 
 struct Scale {
     ScaleKind kind = ScaleKind::linear;
@@ -32,9 +37,5 @@ struct Scale {
 
     friend bool operator==(const Scale&, const Scale&) = default;
 };
-
-// "linear", "log", "truncated_log", "sqrt", "cyclic".
-const char* wordOf(ScaleKind kind);
-Expected<ScaleKind> scaleKindFromWord(std::string_view word);
 
 }  // namespace versorium

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/words.h"
 #include "fields/field_names.h"
 #include "maps/catalogue.h"
 #include "view/slice.h"
@@ -21,6 +22,11 @@ struct Trap {
     double point[kMostDimension] = {};
     int components = 2;  // of a point trap; lines and circles lie in the first two
     double radius = 1, angle = 0;
+};
+
+template <>
+struct EnumWords<Trap::Kind> {
+    static constexpr std::array<std::string_view, 3> table{"point", "line", "circle"};
 };
 
 struct Ensemble;  // fields/ensemble.h

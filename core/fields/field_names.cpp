@@ -6,22 +6,23 @@ namespace {
 
 // In the order of FieldName.
 constexpr FieldInfo kFields[] = {
-    {FieldName::membership, "membership", "member of the set"},
-    {FieldName::solid, "solid", "solid set"},
-    {FieldName::escapeStep, "escape_step", "escape step n"},
-    {FieldName::smoothEscape, "smooth_escape", "smoothed escape step ν"},
-    {FieldName::squaredNorm, "squared_norm", "|z_{n}|^{2}"},
-    {FieldName::attractionStep, "attraction_step", "attraction step n"},
-    {FieldName::logModulus, "log_modulus", "log-modulus ln|z_{n}|"},
-    {FieldName::imageModulus, "image_modulus", "modulus r = |f|"},
-    {FieldName::versor, "versor", "versor f/|f|"},
-    {FieldName::argument, "argument", "argument of f"},
-    {FieldName::distance, "distance", "distance to the boundary"},
-    {FieldName::trap, "trap", "least distance to the trap"},
-    {FieldName::lyapunov, "lyapunov", "Lyapunov exponent"},
-    {FieldName::period, "period", "period"},
-    {FieldName::meanMembership, "mean_membership", "mean membership"},
-    {FieldName::standardError, "standard_error", "standard error of the mean membership"},
+    {FieldName::membership, wordOf(FieldName::membership), "member of the set"},
+    {FieldName::solid, wordOf(FieldName::solid), "solid set"},
+    {FieldName::escapeStep, wordOf(FieldName::escapeStep), "escape step n"},
+    {FieldName::smoothEscape, wordOf(FieldName::smoothEscape), "smoothed escape step ν"},
+    {FieldName::squaredNorm, wordOf(FieldName::squaredNorm), "|z_{n}|^{2}"},
+    {FieldName::attractionStep, wordOf(FieldName::attractionStep), "attraction step n"},
+    {FieldName::logModulus, wordOf(FieldName::logModulus), "log-modulus ln|z_{n}|"},
+    {FieldName::imageModulus, wordOf(FieldName::imageModulus), "modulus r = |f|"},
+    {FieldName::versor, wordOf(FieldName::versor), "versor f/|f|"},
+    {FieldName::argument, wordOf(FieldName::argument), "argument of f"},
+    {FieldName::distance, wordOf(FieldName::distance), "distance to the boundary"},
+    {FieldName::trap, wordOf(FieldName::trap), "least distance to the trap"},
+    {FieldName::lyapunov, wordOf(FieldName::lyapunov), "Lyapunov exponent"},
+    {FieldName::period, wordOf(FieldName::period), "period"},
+    {FieldName::meanMembership, wordOf(FieldName::meanMembership), "mean membership"},
+    {FieldName::standardError, wordOf(FieldName::standardError),
+     "standard error of the mean membership"},
 };
 
 }  // namespace
@@ -29,9 +30,8 @@ constexpr FieldInfo kFields[] = {
 std::span<const FieldInfo> allFields() { return kFields; }
 
 const FieldInfo* findField(std::string_view name) {
-    for (const FieldInfo& info : kFields)
-        if (info.name == name) return &info;
-    return nullptr;
+    const std::optional<FieldName> field = fromWord<FieldName>(name);
+    return field ? &infoOf(*field) : nullptr;
 }
 
 const FieldInfo& infoOf(FieldName field) { return kFields[static_cast<int>(field)]; }

@@ -28,6 +28,8 @@
 #include <span>
 #include <string_view>
 
+#include "base/words.h"
+
 namespace versorium {
 
 enum class FieldName {
@@ -47,6 +49,15 @@ enum class FieldName {
     period,
     meanMembership,
     standardError,
+};
+
+template <>
+struct EnumWords<FieldName> {
+    static constexpr std::array<std::string_view, 16> table{
+        "membership",   "solid",           "escape_step",     "smooth_escape",
+        "squared_norm", "attraction_step", "log_modulus",     "image_modulus",
+        "versor",       "argument",        "distance",        "trap",
+        "lyapunov",     "period",          "mean_membership", "standard_error"};
 };
 
 struct FieldInfo {

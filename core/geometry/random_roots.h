@@ -9,6 +9,7 @@
 
 #include "base/random.h"
 #include "base/status.h"
+#include "base/words.h"
 #include "geometry/roots.h"
 
 namespace versorium {
@@ -17,6 +18,11 @@ enum class RootArrangement {
     even,       // independent and uniform in the region
     clustered,  // uniform in small balls around a few centres
     spread,  // kept apart: each root is that of 16 candidates which is farthest from those before
+};
+
+template <>
+struct EnumWords<RootArrangement> {
+    static constexpr std::array<std::string_view, 3> table{"even", "clustered", "spread"};
 };
 
 struct RandomRoots {

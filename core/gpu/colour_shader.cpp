@@ -292,11 +292,11 @@ std::string colourShader() {
     define(text, "SCALE_TRUNCATED_LOG", static_cast<int>(ScaleKind::truncatedLog));
     define(text, "SCALE_SQRT", static_cast<int>(ScaleKind::sqrt));
     define(text, "SCALE_CYCLIC", static_cast<int>(ScaleKind::cyclic));
-    define(text, "RULE_GRADIENT", static_cast<int>(GpuRule::gradient));
-    define(text, "RULE_VERSOR", static_cast<int>(GpuRule::versor));
-    define(text, "RULE_PHASE", static_cast<int>(GpuRule::phase));
-    define(text, "RULE_DOMAIN", static_cast<int>(GpuRule::domain));
-    define(text, "RULE_RAW", static_cast<int>(GpuRule::raw));
+    define(text, "RULE_GRADIENT", static_cast<int>(ColourRule::gradient));
+    define(text, "RULE_VERSOR", static_cast<int>(ColourRule::versor));
+    define(text, "RULE_PHASE", static_cast<int>(ColourRule::phase));
+    define(text, "RULE_DOMAIN", static_cast<int>(ColourRule::domain));
+    define(text, "RULE_RAW", kRawRule);
     return text + kFieldText + kColourText;
 }
 

@@ -10,7 +10,8 @@
 namespace versorium {
 
 // Values of uRule; `raw` writes the field's own numbers.
-enum class GpuRule { palette, gradient, versor, phase, domain, raw };
+// Beside the colour rules: the field as it is.
+inline constexpr int kRawRule = 5;
 
 std::string colourShader();
 // Lines along which the shown field has a value; more of them are the CPU's.

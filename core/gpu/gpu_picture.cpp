@@ -88,7 +88,7 @@ Status GpuPicture::start(const Scene& scene, const OrbitProgram& program, Size s
 Status GpuPicture::recolour(const Scene& scene) {
     if (!orbits_.program.map)
         return Status::usage("there is no picture yet whose colours could change");
-    if (scene.colour.outline != "none")
+    if (scene.colour.outline != SetName::none)
         return Status::usage("the CPU draws this: the outline needs a pixel's neighbours");
     if (scene.colour.contours.size() > kMostGpuContours)
         return Status::usage("the CPU draws this: it has more than " +

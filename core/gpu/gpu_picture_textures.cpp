@@ -288,8 +288,8 @@ Status GpuPicture::colourInto(GLuint frame, Size size, int rule, FieldName shown
 
     glUniform1i(at("uRule"), rule);
     glUniform1i(at("uShown"), static_cast<int>(shown));
-    const FieldInfo* interior = findField(colouring.interior);
-    glUniform1i(at("uInterior"), interior ? static_cast<int>(interior->field) : -1);
+    const std::optional<FieldName> interior = fieldOf(colouring.interior);
+    glUniform1i(at("uInterior"), interior ? static_cast<int>(*interior) : -1);
     glUniform1i(at("uScale"), static_cast<int>(pass_->scale().kind));
     float low = 0, high = 1;
     straightRange(pass_->scale(), low, high);
@@ -309,12 +309,12 @@ Status GpuPicture::colourInto(GLuint frame, Size size, int rule, FieldName shown
     gradient("uAttracted[0]", "uAttracted[1]", colouring.attracted);
     glUniform2f(at("uExponents"), static_cast<float>(colouring.escaped.exponent),
                 static_cast<float>(colouring.attracted.exponent));
-    glUniform1i(at("uSmoothing"), colouring.smoothing == "ratio"     ? 1
-                                  : colouring.smoothing == "log-log" ? 2
-                                                                     : 0);
+    glUniform1i(at("uSmoothing"), colouring.smoothing == Smoothing::ratio    ? 1
+                                  : colouring.smoothing == Smoothing::logLog ? 2
+                                                                             : 0);
     glUniform1i(at("uAttractedVaries"), !(colouring.attracted.start == colouring.attracted.finish));
     number("uMembers", orbits_.counts() ? done_ : 1);
-    setContours(program, rule == static_cast<int>(GpuRule::palette) ? samples : 0);
+    setContours(program, rule == static_cast<int>(ColourRule::palette) ? samples : 0);
     glUniform1i(at("uSamples"), samples);
     glUniform2i(at("uSize"), size.width, size.height);
 
@@ -341,14 +341,9 @@ void GpuPicture::setContours(GLuint program, int samples) {
 GLuint GpuPicture::texture() {
     if (!anyOrbits_ || generation_ != renderer_.generation()) return 0;
     if (!coloured_) {
-        const std::string& word = scene_.colour.rule;
-        const GpuRule rule = word == "gradient" ? GpuRule::gradient
-                             : word == "versor" ? GpuRule::versor
-                             : word == "phase"  ? GpuRule::phase
-                             : word == "domain" ? GpuRule::domain
-                                                : GpuRule::palette;
-        const Status status = colourInto(names_.pictureFrame, size_, static_cast<int>(rule),
-                                         pass_->shown(), options_.samples);
+        const Status status =
+            colourInto(names_.pictureFrame, size_, static_cast<int>(scene_.colour.rule),
+                       pass_->shown(), options_.samples);
         if (!status.ok()) return 0;
         coloured_ = true;
     }
@@ -379,7 +374,7 @@ Status GpuPicture::readFields(const std::vector<FieldName>& fields,
     rasters.clear();
     Raster<float> texels(size, 4);
     for (FieldName field : fields) {
-        status = colourInto(frame, size, static_cast<int>(GpuRule::raw), field, 1);
+        status = colourInto(frame, size, kRawRule, field, 1);
         if (!status.ok()) break;
         glBindFramebuffer(GL_FRAMEBUFFER, frame);
         plainPacking();

@@ -9,44 +9,12 @@
 #include "io/root_files.h"
 #include "io/text_scanner.h"
 #include "scene/numbers.h"
+#include "scene/properties.h"
 
 namespace versorium {
 namespace {
 
 constexpr int kDocumentVersion = 1;
-
-// Keys that stand for a path, where the last part alone would be ambiguous or is no part at all.
-constexpr std::pair<const char*, const char*> kShort[] = {{"shape", "shape.source"},
-                                                          {"center_low", "slice.center_low"}};
-constexpr const char* kSections[] = {"", "slice.", "shape.", "colour.", "trap."};
-
-const Json* at(const Json& json, const std::string& path) {
-    const Json* value = &json;
-    std::size_t start = 0;
-    while (start <= path.size()) {
-        const std::size_t dot = std::min(path.find('.', start), path.size());
-        const std::string key = path.substr(start, dot - start);
-        if (!value->is_object() || !value->contains(key)) return nullptr;
-        value = &*value->find(key);
-        start = dot + 1;
-    }
-    return value;
-}
-
-// The path in the scene's JSON that a key means, or an empty text.
-std::string pathOf(const Json& json, const std::string& key) {
-    for (const auto& [name, path] : kShort)
-        if (key == name) return at(json, path) ? path : "";
-    for (const char* section : kSections)
-        if (at(json, section + key)) return section + key;
-    // A scene without an ensemble does not write one; what is put there makes one.
-    if (key == "ensemble" || key.starts_with("ensemble.")) return key;
-    // Names of parameters may hold dots themselves.
-    const std::string parameters = "parameters.";
-    const std::string name = key.starts_with(parameters) ? key.substr(parameters.size()) : key;
-    if (json.contains("parameters") && json["parameters"].contains(name)) return parameters + name;
-    return "";
-}
 
 Json parseValue(const std::string& text) {
     if (!text.empty() && (text[0] == '{' || text[0] == '[' || text[0] == '"')) {
@@ -68,24 +36,6 @@ Json parseValue(const std::string& text) {
         start = comma + 1;
     }
     return list.size() == 1 ? list[0] : list;
-}
-
-// Puts a value where the path leads; parameter names may hold dots ("g.b1").
-void put(Json& json, const std::string& path, const Json& value) {
-    const std::string parameters = "parameters.";
-    if (path.starts_with(parameters)) {
-        json["parameters"][path.substr(parameters.size())] = value;
-        return;
-    }
-    Json* place = &json;
-    std::size_t start = 0;
-    while (true) {
-        const std::size_t dot = path.find('.', start);
-        if (dot == std::string::npos) break;
-        place = &(*place)[path.substr(start, dot - start)];
-        start = dot + 1;
-    }
-    (*place)[path.substr(start)] = value;
 }
 
 bool isFileName(const std::string& value) {
@@ -124,6 +74,35 @@ Status assignList(RootList& list, const std::string& value) {
 
 Status refused(const Assignment& assignment, const std::string& message) {
     return Status::usage("--set " + assignment.key + "=" + assignment.value + ": " + message);
+}
+
+Status unknownKey(const Scene& scene, const Assignment& assignment) {
+    std::string message = "the map \"" + scene.map + "\" has no such key";
+    const std::vector<std::string> near = nearestNames(scene, assignment.key);
+    for (std::size_t k = 0; k < near.size(); ++k)
+        message += (k == 0 ? "; did you mean " : k + 1 == near.size() ? " or " : ", ") + near[k];
+    return refused(
+        assignment,
+        message + (near.empty() ? "; its numbers are " + numberNames(scene) : std::string("?")) +
+            " (\"versorium values\" lists all)");
+}
+
+// Another map keeps what is no map's own: colours and samples.
+Status assignMap(Scene& scene, const Assignment& assignment) {
+    Expected<Scene> chosen = sceneOfMap(assignment.value);
+    if (!chosen) return refused(assignment, chosen.status().message());
+    chosen->colour = std::move(scene.colour);
+    chosen->samples = scene.samples;
+    scene = std::move(*chosen);
+    return {};
+}
+
+// Of a palette that stands in a file.
+Expected<Json> readJsonFile(const std::string& path) {
+    Expected<Bytes> bytes = readFile(path, kDocumentBytes);
+    if (!bytes) return bytes.status();
+    Expected<Json> json = parseJson({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+    return json ? std::move(json) : json.status().in(path);
 }
 
 }  // namespace
@@ -226,71 +205,28 @@ Expected<Assignment> parseAssignment(const std::string& text) {
     return Assignment{text.substr(0, equals), text.substr(equals + 1)};
 }
 
-// With the parts that a scene leaves out where they say nothing, so that they can be set.
-Json wholeJson(const Scene& scene) {
-    Json json = sceneToJson(scene);
-    if (!json.contains("ensemble")) json["ensemble"] = ensembleToJson(scene.ensemble);
-    if (mapOf(scene).info.field)
-        for (const auto& [name, spec] :
-             {std::pair{"alpha", &scene.alphaOverSpace}, std::pair{"beta", &scene.betaOverSpace}})
-            json["modulation"][name] = modulationToJson(*spec);
-    return json;
-}
-
 bool knowsKey(const Scene& scene, const std::string& key) {
-    return scene.lists.contains(key) || numberNamed(scene, key) ||
-           !pathOf(wholeJson(scene), key).empty();
+    return key == "map" || key == "formula" || propertyNamed(scene, key).has_value();
 }
 
 Status assign(Scene& scene, const Assignment& assignment) {
     const auto& [key, value] = assignment;
-    if (scene.lists.contains(key) && !value.starts_with("{"))
-        return assignList(scene.lists[key], value);
-    const bool shape =
-        key == "shape" || key == "modulation.alpha.shape" || key == "modulation.beta.shape";
-    if (shape && mapOf(scene).info.field) return assignShape(scene, key, value);
-    if (key == "map" || key == "formula") {
-        Expected<Scene> chosen = sceneOfMap(value);
-        if (!chosen) return refused(assignment, chosen.status().message());
-        const Scene old = std::move(scene);
-        scene = std::move(*chosen);
-        scene.colour = old.colour;
-        scene.samples = old.samples;
-        return {};
-    }
-    Json assets = Json::object();
-    Json json = withoutAssets(wholeJson(scene), assets);
+    if (key == "map" || key == "formula") return assignMap(scene, assignment);
+    const std::optional<SceneProperty> property = propertyNamed(scene, key);
+    if (!property) return unknownKey(scene, assignment);
+    if (scene.lists.contains(property->path) && !value.starts_with("{"))
+        return assignList(scene.lists[property->path], value);
+    if (property->path == "shape.source" || property->path == "modulation.alpha.shape" ||
+        property->path == "modulation.beta.shape")
+        return assignShape(scene, property->path, value);
     Json parsed = parseValue(value);
-    const std::string path = scene.lists.contains(key) ? "lists." + key : pathOf(json, key);
-    if (path == "colour.palette" && value.ends_with(".json")) {
-        Expected<Bytes> bytes = readFile(value, kDocumentBytes);
-        if (!bytes) return bytes.status();
-        Expected<Json> palette =
-            parseJson({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
-        if (!palette) return palette.status().in(value);
-        parsed = *palette;
+    if (property->path == "colour.palette" && value.ends_with(".json")) {
+        Expected<Json> palette = readJsonFile(value);
+        if (!palette) return palette.status();
+        parsed = std::move(*palette);
     }
-    if (path.empty()) {
-        const std::optional<NumberRef> number = numberNamed(scene, key);
-        if (!number)
-            return refused(assignment,
-                           "the map \"" + scene.map + "\" has no such key; its numbers are " +
-                               numberNames(scene) + "; \"versorium schema\" lists the others");
-        if (!parsed.is_number()) return refused(assignment, "a finite number is expected");
-        Scene moved = scene;
-        // A starting point that is typed takes the place of a critical one.
-        if (number->kind == NumberKind::state) moved.criticalStart.reset();
-        setNumber(moved, *number, parsed.get<double>());
-        json = withoutAssets(sceneToJson(moved), assets);
-    } else {
-        put(json, path, parsed);
-    }
-    Expected<Scene> changed = sceneFromJson(json);
-    if (!changed) return refused(assignment, changed.status().message());
-    auto kept = std::move(scene.assets);
-    scene = std::move(*changed);
-    scene.assets = std::move(kept);
-    return {};
+    const Status status = setProperty(scene, *property, parsed);
+    return status.ok() ? status : refused(assignment, status.message());
 }
 
 }  // namespace versorium

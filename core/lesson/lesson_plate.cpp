@@ -119,23 +119,23 @@ std::optional<PlatePanel> stripPanel(const Workspace& workspace, PlateDocument& 
     PlatePanel panel;
     panel.name = static_cast<char>('a' + document.plate.panels.size());
     switch (workspace.strip) {
-        case Workspace::Strip::series:
-        case Workspace::Strip::web: {
+        case Strip::series:
+        case Strip::web: {
             // Orbits in the plane are seen in the views themselves.
             if (map.dimension != 1 || !programNow(orbitScene(workspace))) return {};
             panel.kind = PanelKind::plot;
-            const bool web = workspace.strip == Workspace::Strip::web;
+            const bool web = workspace.strip == Strip::web;
             panel.title =
                 web ? words.tr("The orbit as a web") : words.tr("The orbit, step by step");
             panel.plot = web ? webOf(workspace, words) : seriesOf(workspace, words);
             return panel;
         }
-        case Workspace::Strip::diagram:
+        case Strip::diagram:
             if (diagramNumber(workspace).empty()) return {};
             panel.title = words.tr("Bifurcation diagram");
             makeDiagram(workspace, panel, document.assets);
             return panel;
-        case Workspace::Strip::profile:
+        case Strip::profile:
             if (!map.info.field) return {};
             panel.kind = PanelKind::profile;
             panel.title = words.tr("Mean of φ over the radius");

@@ -122,14 +122,14 @@ const char* cyclesCalled(CycleKind kind) {
 
 // What the picture shows by its colours.
 std::string colouringWords(const Colouring& colour, const Words& words) {
-    if (colour.rule == "gradient") return words.tr("coloured by the escape step");
-    if (colour.rule == "versor") return words.tr("coloured by the versor");
-    if (colour.rule == "phase") return words.tr("coloured by the argument");
-    if (colour.rule == "domain")
+    if (colour.rule == ColourRule::gradient) return words.tr("coloured by the escape step");
+    if (colour.rule == ColourRule::versor) return words.tr("coloured by the versor");
+    if (colour.rule == ColourRule::phase) return words.tr("coloured by the argument");
+    if (colour.rule == ColourRule::domain)
         return words.tr(
             "coloured by the argument, with edges where the modulus is a power of 2 and the "
             "argument a multiple of π/6");
-    return words.tr("coloured by the field {1}", {colour.field});
+    return words.tr("coloured by the field {1}", {std::string(wordOf(colour.field))});
 }
 
 }  // namespace
@@ -190,9 +190,9 @@ Expected<PanelInfo> describeScene(CpuRenderer& renderer, const Scene& scene, con
                   centre[1] + halfHeight};
     }
     const Colouring& colouring = scene.colour;
-    if (colouring.rule == "versor") {
+    if (colouring.rule == ColourRule::versor) {
         info.versorKey = program->map->dimension == 4;
-    } else if (colouring.rule != "gradient") {
+    } else if (colouring.rule != ColourRule::gradient) {
         const FieldInfo& field = infoOf(pass->shown());
         const bool twoValued =
             field.field == FieldName::membership || field.field == FieldName::solid;
@@ -204,8 +204,9 @@ Expected<PanelInfo> describeScene(CpuRenderer& renderer, const Scene& scene, con
                                      ? words.tr("ln of the {1}", {words.tr(field.label)})
                                      : words.tr(field.label),
                                  pass->scale(), pass->palette()};
-        if (colouring.rule == "palette" && colouring.interior != "none" && !twoValued)
-            info.legend.push_back({pass->palette().interior, colouring.interior == "solid"
+        if (colouring.rule == ColourRule::palette && colouring.interior != SetName::none &&
+            !twoValued)
+            info.legend.push_back({pass->palette().interior, colouring.interior == SetName::solid
                                                                  ? words.tr("solid set")
                                                                  : words.tr("members after N")});
     } else {

@@ -143,7 +143,7 @@ std::shared_ptr<const Ensemble> ensembleOf(const Scene& scene, OrbitProgram& pro
     const auto ensemble = std::make_shared<Ensemble>();
     ensemble->count = static_cast<std::uint64_t>(spec.count);
     ensemble->seed = static_cast<std::uint64_t>(spec.seed);
-    ensemble->solid = spec.set == "solid";
+    ensemble->solid = spec.set == AveragedSet::solid;
     ensemble->capture =
         captureOf(scene, program, scene.escapeRadius.value_or(program.map->info.escapeRadius), job);
     if (spec.roots) {
@@ -204,9 +204,7 @@ Status bindSlice(const Scene& scene, OrbitProgram& program) {
 
 Trap trapOf(const TrapSpec& spec) {
     Trap trap;
-    trap.kind = spec.kind == "line"     ? Trap::Kind::line
-                : spec.kind == "circle" ? Trap::Kind::circle
-                                        : Trap::Kind::point;
+    trap.kind = spec.kind;
     for (std::size_t k = 0; k < spec.point.size(); ++k) trap.point[k] = spec.point[k];
     trap.components = static_cast<int>(spec.point.size());
     trap.radius = spec.radius;
@@ -325,10 +323,8 @@ Expected<std::shared_ptr<DistanceField>> Binder::field(const Scene& scene, Job& 
     Expected<std::shared_ptr<const Grid>> made = grid(scene, job);
     if (!made) return made.status();
     const bool stored = !isOutline(scene.shape.source) && isGridName(shapeFile(scene)->name);
-    const Outside outside = scene.shape.outside == "border"     ? Outside::border
-                            : scene.shape.outside == "distance" ? Outside::distance
-                            : stored                            ? Outside::border
-                                                                : Outside::distance;
+    const Outside outside =
+        scene.shape.outside.value_or(stored ? Outside::border : Outside::distance);
     return std::make_shared<DistanceField>(*made, outside);
 }
 
@@ -371,7 +367,7 @@ Expected<OrbitProgram> Binder::bind(const Scene& scene, Job& job) {
     program.critical = scene.criticalStart;
     program.iterations = scene.iterations;
     program.escapeRadius = scene.escapeRadius.value_or(automaticRadius(scene));
-    program.onlyLastTested = scene.escapeTest == "last";
+    program.onlyLastTested = scene.escapeTest == EscapeTest::last;
     program.iso = scene.iso;
     program.degree = map.info.degree;
     if (const auto power = scene.parameters.find("power"); power != scene.parameters.end())

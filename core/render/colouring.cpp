@@ -55,7 +55,8 @@ int ColourPass::ask(FieldName field) {
 Expected<ColourPass> ColourPass::make(const Scene& scene, const OrbitProgram& program) {
     const Colouring& colouring = scene.colour;
     ColourPass pass;
-    pass.shown_ = findField(colouring.field)->field;
+    pass.rule_ = colouring.rule;
+    pass.shown_ = colouring.field;
     pass.dimension_ = program.map->dimension;
     pass.iterations_ = program.iterations;
     pass.squaredRadius_ = program.escapeRadius * program.escapeRadius;
@@ -69,39 +70,37 @@ Expected<ColourPass> ColourPass::make(const Scene& scene, const OrbitProgram& pr
     if (!palette) return palette.status();
     pass.palette_ = std::move(*palette);
     pass.scale_ = defaultScale(pass.shown_, program, scene.slice.height);
-    if (!colouring.scale.empty()) pass.scale_.kind = *scaleKindFromWord(colouring.scale);
+    if (colouring.scale) pass.scale_.kind = *colouring.scale;
     if (usable(colouring))
         pass.scale_.low = colouring.range[0], pass.scale_.high = colouring.range[1];
     if (colouring.reverse) std::swap(pass.scale_.low, pass.scale_.high);
     if (Status status = pass.scale_.check(); !status.ok()) return status.in("colour.range");
 
-    if (colouring.rule == "gradient") {
-        pass.rule_ = Rule::gradient;
+    if (colouring.rule == ColourRule::gradient) {
         pass.memberAt_ = pass.ask(FieldName::membership);
         pass.stepsAt_ = pass.ask(FieldName::escapeStep);
-        if (colouring.smoothing == "ratio") pass.normAt_ = pass.ask(FieldName::squaredNorm);
-        if (colouring.smoothing == "log-log") pass.smoothAt_ = pass.ask(FieldName::smoothEscape);
+        if (colouring.smoothing == Smoothing::ratio)
+            pass.normAt_ = pass.ask(FieldName::squaredNorm);
+        if (colouring.smoothing == Smoothing::logLog)
+            pass.smoothAt_ = pass.ask(FieldName::smoothEscape);
         // One colour for the whole attracted region needs no look at its steps.
         if (!(colouring.attracted.start == colouring.attracted.finish))
             pass.attractedAt_ = pass.ask(FieldName::attractionStep);
-    } else if (colouring.rule == "versor") {
-        pass.rule_ = Rule::versor;
+    } else if (colouring.rule == ColourRule::versor) {
         pass.shown_ = FieldName::versor;
         pass.shownAt_ = pass.ask(FieldName::versor);
-    } else if (colouring.rule == "phase" || colouring.rule == "domain") {
-        pass.rule_ = colouring.rule == "phase" ? Rule::phase : Rule::domain;
-        if (pass.rule_ == Rule::domain) pass.modulusAt_ = pass.ask(FieldName::imageModulus);
+    } else if (colouring.rule == ColourRule::phase || colouring.rule == ColourRule::domain) {
+        if (pass.rule_ == ColourRule::domain) pass.modulusAt_ = pass.ask(FieldName::imageModulus);
         pass.shown_ = FieldName::argument;
         pass.shownAt_ = pass.ask(FieldName::argument);
         pass.scale_ = {ScaleKind::cyclic, -kPi, kPi};
     } else {
         pass.shownAt_ = pass.ask(pass.shown_);
-        if (colouring.interior != "none")
-            pass.interiorField_ = pass.ask(findField(colouring.interior)->field);
+        if (const auto inside = fieldOf(colouring.interior))
+            pass.interiorField_ = pass.ask(*inside);
     }
     if (pass.shownAt_ >= 0) pass.contours_ = colouring.contours;
-    if (colouring.outline != "none")
-        pass.outlineField_ = pass.ask(findField(colouring.outline)->field);
+    if (const auto outlined = fieldOf(colouring.outline)) pass.outlineField_ = pass.ask(*outlined);
     pass.outlineColour_ = *colourFromHex(colouring.outlineColour);
     return pass;
 }
@@ -122,9 +121,9 @@ Colour ColourPass::gradient(const std::vector<std::vector<double>>& values, std:
 Colour ColourPass::colour(const std::vector<std::vector<double>>& values, std::size_t count,
                           std::size_t i) const {
     switch (rule_) {
-        case Rule::gradient:
+        case ColourRule::gradient:
             return gradient(values, i);
-        case Rule::versor: {
+        case ColourRule::versor: {
             const auto& versor = values[static_cast<std::size_t>(shownAt_)];
             // The complex numbers have one imaginary part only; the real part is shown as well.
             if (dimension_ == 2) return versorColour(versor[i], versor[count + i], 0);
@@ -133,9 +132,9 @@ Colour ColourPass::colour(const std::vector<std::vector<double>>& values, std::s
             if (dimension_ == 1) return versorColour(versor[i], versor[i], versor[i]);
             return versorColour(versor[count + i], versor[2 * count + i], versor[3 * count + i]);
         }
-        case Rule::phase:
+        case ColourRule::phase:
             return phaseColour(palette_, values[static_cast<std::size_t>(shownAt_)][i]);
-        case Rule::domain:
+        case ColourRule::domain:
             return domainColour(palette_, values[static_cast<std::size_t>(modulusAt_)][i],
                                 values[static_cast<std::size_t>(shownAt_)][i]);
         default:

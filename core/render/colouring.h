@@ -36,8 +36,7 @@ class ColourPass {
     int ask(FieldName field);
     Colour gradient(const std::vector<std::vector<double>>& values, std::size_t i) const;
 
-    enum class Rule { palette, gradient, versor, phase, domain };
-    Rule rule_ = Rule::palette;
+    ColourRule rule_ = ColourRule::palette;
     FieldName shown_ = FieldName::smoothEscape;
     std::vector<FieldName> fields_;
     int shownAt_ = -1, interiorField_ = -1, outlineField_ = -1;
@@ -48,7 +47,7 @@ class ColourPass {
     Colour outlineColour_;
     std::vector<double> contours_;
     Gradient escaped_, attracted_;
-    std::string smoothing_;
+    Smoothing smoothing_ = Smoothing::ratio;
     double iterations_ = 1, squaredRadius_ = 4;
     int dimension_ = 2;
 };

@@ -2,56 +2,26 @@
 #include "scene/animation.h"
 
 #include <algorithm>
-#include <array>
+#include <cassert>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
 #include "math/elementary.h"
 #include "scene/numbers.h"
+#include "scene/properties.h"
 
 namespace versorium {
 namespace {
 
-constexpr std::array<const char*, 3> kEasingWords = {"linear", "smooth", "hold"};
 constexpr const char* kHeight = "slice.height";
-constexpr const char* kIterations = "iterations";
 // Recordings at 60 frames a second for an hour.
 constexpr std::size_t kMostRecorded = 60 * 3600;
 
-// The k in "before[k]after".
-std::optional<std::size_t> placeIn(const std::string& name, const std::string& before,
-                                   const std::string& after) {
-    if (!name.starts_with(before + "[") || !name.ends_with("]" + after)) return std::nullopt;
-    const std::size_t first = before.size() + 1;
-    if (name.size() < first + 1 + after.size() + 1) return std::nullopt;
-    const std::string digits = name.substr(first, name.size() - first - 1 - after.size());
-    if (digits.empty() || digits.size() > 2 ||
-        digits.find_first_not_of("0123456789") != std::string::npos)
-        return std::nullopt;
-    return static_cast<std::size_t>(std::atoi(digits.c_str()));
-}
-
-// A number beside those that fix an orbit, with its range.
-struct Place {
-    double* number = nullptr;
-    double low = 0, high = 0;
-};
-std::optional<Place> placeOf(Scene& scene, const std::string& name) {
-    if (name == kHeight) return Place{&scene.slice.height, 1e-300, 1e12};
-    if (name == "iso") return Place{&scene.iso, -1e6, 1e6};
-    if (const auto k = placeIn(name, "slice.center", ""); k && *k < scene.slice.centre.size())
-        return Place{&scene.slice.centre[*k], -1e300, 1e300};
-    const std::tuple<const char*, double Layer::*, double, double> parts[] = {
-        {".x", &Layer::x, -100, 100},
-        {".y", &Layer::y, -100, 100},
-        {".scale", &Layer::scale, 1e-3, 1000},
-        {".opacity", &Layer::opacity, 0, 1},
-        {".frame", &Layer::frame, -1e9, 1e9}};
-    for (const auto& [ending, member, low, high] : parts)
-        if (const auto k = placeIn(name, "layers", ending); k && *k < scene.layers.size())
-            return Place{&(scene.layers[*k].*member), low, high};
-    return std::nullopt;
+// What may move under this name. Roots move, though nothing records them by itself.
+std::optional<SceneProperty> movingProperty(const Scene& scene, const std::string& name) {
+    std::optional<SceneProperty> found = propertyNamed(scene, name);
+    if (!found || found->path != name) return std::nullopt;
+    return found->moves || numberNamed(scene, name) ? std::move(found) : std::nullopt;
 }
 
 double between(const std::string& name, double from, double to, double part) {
@@ -96,12 +66,8 @@ std::vector<std::size_t> needed(const std::vector<double>& times, const std::vec
 
 Expected<KeyFrame> keyFromJson(const Json& json, const std::string& path, const Scene& scene) {
     KeyFrame key;
-    std::string easing = kEasingWords[0];
     ObjectReader reader(json, path);
-    reader.number("time", key.time, 0, kMostSeconds)
-        .word("easing", easing, {kEasingWords.begin(), kEasingWords.end()});
-    for (std::size_t k = 0; k < kEasingWords.size(); ++k)
-        if (easing == kEasingWords[k]) key.easing = static_cast<Easing>(k);
+    reader.number("time", key.time, 0, kMostSeconds).word("easing", key.easing);
     const Json* values = reader.child("values");
     if (!values || !values->is_object()) {
         reader.fail("values", "an object such as {\"c.re\": -0.7} is expected");
@@ -129,42 +95,26 @@ int Motion::frames() const {
 }
 
 std::optional<double> movingValue(const Scene& scene, const std::string& name) {
-    if (name == kIterations) return scene.iterations;
-    Scene& writable = const_cast<Scene&>(scene);  // only looked at
-    if (const auto place = placeOf(writable, name)) return *place->number;
-    if (const auto number = numberNamed(scene, name)) return numberValue(scene, *number);
-    return std::nullopt;
+    const std::optional<SceneProperty> property = movingProperty(scene, name);
+    if (!property) return std::nullopt;
+    return property->get(scene).get<double>();
 }
 
 bool setMovingValue(Scene& scene, const std::string& name, double value) {
-    if (!std::isfinite(value)) return movingValue(scene, name).has_value();
-    if (name == kIterations) {
-        scene.iterations =
-            static_cast<int>(std::clamp(std::round(value), 0.0, 1.0 * kMostIterations));
-        return true;
-    }
-    if (const auto place = placeOf(scene, name)) {
-        *place->number = std::clamp(value, place->low, place->high);
-        if (const auto k = placeIn(name, "slice.center", "")) scene.slice.centreLow[*k] = 0;
-        return true;
-    }
-    const auto number = numberNamed(scene, name);
-    if (number) setNumber(scene, *number, value);
-    return number.has_value();
+    const std::optional<SceneProperty> property = movingProperty(scene, name);
+    if (!property) return false;
+    if (!std::isfinite(value)) return true;
+    if (property->kind == ValueKind::whole && !numberNamed(scene, name)) value = std::round(value);
+    value = std::clamp(value, property->low, property->high);
+    const Status status = property->set(scene, value, name);
+    assert(status.ok());
+    return status.ok();
 }
 
 std::vector<std::string> movingNames(const Scene& scene) {
-    const MapKernels& map = mapOf(scene);
     std::vector<std::string> names;
-    for (int k = 0; k < map.parameters; ++k) names.push_back(parameterComponent(map.info, k));
-    if (!scene.criticalStart)
-        for (int k = 0; k < map.dimension; ++k) names.push_back(stateComponent(map.info, k));
-    for (std::size_t k = 0; k < scene.slice.centre.size(); ++k)
-        names.push_back("slice.center[" + std::to_string(k) + "]");
-    for (const char* name : {kHeight, kIterations, "iso"}) names.emplace_back(name);
-    for (std::size_t k = 0; k < scene.layers.size(); ++k)
-        for (const char* part : {".x", ".y", ".scale", ".opacity", ".frame"})
-            names.push_back("layers[" + std::to_string(k) + "]" + part);
+    for (const SceneProperty& property : propertiesOf(scene))
+        if (property.moves) names.push_back(property.path);
     return names;
 }
 
@@ -236,9 +186,8 @@ void motionToJson(const Motion& motion, Json& json) {
     for (const KeyFrame& key : motion.keys) {
         Json values = Json::object();
         for (const auto& [name, value] : key.values) values[name] = value;
-        json["keys"].push_back(Json{{"time", key.time},
-                                    {"easing", kEasingWords[static_cast<std::size_t>(key.easing)]},
-                                    {"values", values}});
+        json["keys"].push_back(
+            Json{{"time", key.time}, {"easing", wordOf(key.easing)}, {"values", values}});
     }
 }
 

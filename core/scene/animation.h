@@ -15,6 +15,11 @@ namespace versorium {
 // How a number goes on from a key frame to its next one.
 enum class Easing { linear, smooth, hold };
 
+template <>
+struct EnumWords<Easing> {
+    static constexpr std::array<std::string_view, 3> table{"linear", "smooth", "hold"};
+};
+
 struct KeyFrame {
     double time = 0;  // seconds from the beginning, at least 0
     Easing easing = Easing::linear;

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "base/json.h"
+#include "base/status.h"
+#include "base/words.h"
 #include "geometry/random_roots.h"
 
 namespace versorium {
@@ -35,10 +36,16 @@ struct EnsembleDisc {
     friend bool operator==(const EnsembleDisc&, const EnsembleDisc&) = default;
 };
 
+enum class AveragedSet { membership, solid };
+template <>
+struct EnumWords<AveragedSet> {
+    static constexpr std::array<std::string_view, 2> table{"membership", "solid"};
+};
+
 struct EnsembleSpec {
     int count = 1000;  // members
     int seed = 1;
-    std::string set = "membership";  // or "solid": the set whose mean is taken
+    AveragedSet set = AveragedSet::membership;  // whose mean is taken
     std::optional<EnsembleRoots> roots;
     std::vector<EnsembleRange> ranges;
     std::vector<EnsembleDisc> discs;
@@ -49,9 +56,6 @@ struct EnsembleSpec {
 inline constexpr int kMostMembers = 100000000;
 inline constexpr std::size_t kMostEnsembleNumbers = 16;
 
-// Strict; the faults name their paths.
-void readEnsemble(ObjectReader& scene, EnsembleSpec& ensemble);
-Json ensembleToJson(const EnsembleSpec& ensemble);
 // That the names are those of numbers of the scene which nothing else sets.
 Status checkEnsemble(const Scene& scene);
 // What came to lie on an axis of the picture is drawn no longer.

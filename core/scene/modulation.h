@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "base/json.h"
+#include "base/status.h"
 #include "shape/modulation.h"
 
 namespace versorium {
@@ -26,9 +26,6 @@ struct ModulationSpec {
 inline constexpr std::size_t kMostPaintedDiscs = 2000;
 inline constexpr double kLargestModulated = 1e9;  // of any value of α and β
 
-// Strict; the faults name their paths.
-void readModulation(ObjectReader& scene, ModulationSpec& alpha, ModulationSpec& beta);
-Json modulationToJson(const ModulationSpec& modulation);
 // That the map has α and β, and that the second shapes can be read.
 Status checkModulation(const Scene& scene);
 

@@ -14,6 +14,7 @@
 #include "base/json.h"
 #include "colour/rules.h"
 #include "colour/scale.h"
+#include "fields/evaluate.h"
 #include "geometry/roots.h"
 #include "maps/catalogue.h"
 #include "maps/formula_map.h"
@@ -46,33 +47,52 @@ struct SliceSpec {
 struct ShapeSpec {
     // An analytic shape as text, the name of a built-in mesh ("bunny"), or "asset:" and a SHA-256.
     std::string source = "sphere(0.35)";
-    int resolution = 64;  // nodes along an edge of the grid made of a mesh
-    double padding = 6;   // free cells around it
-    std::string outside;  // "border", "distance", or empty: border for a loaded grid, else distance
-    bool zFastest = false;  // a loaded grid runs along z first
+    int resolution = 64;             // nodes along an edge of the grid made of a mesh
+    double padding = 6;              // free cells around it
+    std::optional<Outside> outside;  // empty: border for a loaded grid, else distance
+    bool zFastest = false;           // a loaded grid runs along z first
     friend bool operator==(const ShapeSpec&, const ShapeSpec&) = default;
 };
 
 struct TrapSpec {
-    std::string kind = "point";  // point, line (through `point` at `angle`) or circle
+    Trap::Kind kind = Trap::Kind::point;  // a line goes through `point` at `angle`
     std::vector<double> point{0, 0};
     double radius = 1, angle = 0;
     friend bool operator==(const TrapSpec&, const TrapSpec&) = default;
 };
 
+// A set that is coloured or outlined.
+enum class SetName { none, membership, solid };
+template <>
+struct EnumWords<SetName> {
+    static constexpr std::array<std::string_view, 3> table{"none", "membership", "solid"};
+};
+// The field that is 1 in the set.
+inline std::optional<FieldName> fieldOf(SetName set) {
+    if (set == SetName::none) return std::nullopt;
+    return set == SetName::solid ? FieldName::solid : FieldName::membership;
+}
+
+// Which iterates are tested: the first one outside counts, or only the last one (A eq 12).
+enum class EscapeTest { first, last };
+template <>
+struct EnumWords<EscapeTest> {
+    static constexpr std::array<std::string_view, 2> table{"first", "last"};
+};
+
 struct Colouring {
-    std::string rule = "palette";  // palette, gradient (A eqs 14-15), versor, phase, domain
-    std::string field = "smooth_escape";
+    ColourRule rule = ColourRule::palette;
+    FieldName field = FieldName::smoothEscape;
     std::string palette = "versorium";  // a built-in one, or the name of `ownPalette`
     Json ownPalette;                    // a palette (colour/palette.h) of the scene's own, or null
     bool reverse = false;
-    std::string scale;                    // empty: the field's own
-    std::vector<double> range;            // low and high; empty: the field's own
-    std::string interior = "membership";  // the set in the palette's interior colour, or "none"
+    std::optional<ScaleKind> scale;          // empty: the field's own
+    std::vector<double> range;               // low and high; empty: the field's own
+    SetName interior = SetName::membership;  // the set in the palette's interior colour
     Gradient escaped{{0.02, 0.03, 0.08, 1}, {1, 0.95, 0.8, 1}, 1};
     Gradient attracted{{0, 0, 0, 1}, {0, 0, 0, 1}, 1};
-    std::string smoothing = "ratio";  // none (eq 14), ratio (eq 15) or log-log
-    std::string outline = "none";     // "membership", "solid" or "none"
+    Smoothing smoothing = Smoothing::ratio;
+    SetName outline = SetName::none;
     std::string outlineColour = "#ffffff";
     double outlineWidth = 1;            // in line widths of the medium
     std::vector<double> contours = {};  // levels of `field` along which the same line runs
@@ -109,8 +129,8 @@ struct Scene {
     SliceSpec slice;
     int iterations = 200;
     std::optional<double> escapeRadius;  // empty: the map's own
-    std::string escapeTest = "first";    // "last": only the last iterate is tested (A eq 12)
-    double iso = 0;                      // of the field `solid`
+    EscapeTest escapeTest = EscapeTest::first;
+    double iso = 0;  // of the field `solid`
     TrapSpec trap;
     Colouring colour;
     EnsembleSpec ensemble;

@@ -7,6 +7,7 @@
 // to the lower border. The gradient is that of the interpolant: constant along an axis on which the
 // point is outside, and on a face between cells that of the upper cell.
 
+#include "base/words.h"
 #include "geometry/grid.h"
 #include "math/dual.h"
 
@@ -15,6 +16,11 @@ namespace versorium {
 enum class Outside {
     border,    // the value at the nearest point of the box
     distance,  // that plus the distance to the box
+};
+
+template <>
+struct EnumWords<Outside> {
+    static constexpr std::array<std::string_view, 2> table{"border", "distance"};
 };
 
 namespace sampling {

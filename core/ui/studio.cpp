@@ -237,9 +237,9 @@ void Studio::State::drawWide(ImVec2 low, ImVec2 size) {
     }
     const float bar = ImGui::GetFrameHeightWithSpacing();
     const float inspector = kInspector * context.scale;
-    const bool web = context.workspace.strip == StudioContext::Strip::web ||
-                     context.workspace.strip == StudioContext::Strip::diagram ||
-                     context.workspace.strip == StudioContext::Strip::profile;
+    const bool web = context.workspace.strip == Strip::web ||
+                     context.workspace.strip == Strip::diagram ||
+                     context.workspace.strip == Strip::profile;
     const float strip =
         std::min((web ? kWebStrip : kStrip) * context.scale, size.y * (web ? 0.45f : 0.25f));
     const float left = size.x - inspector - 8;

@@ -30,11 +30,17 @@ inline constexpr std::size_t kMostCircles = 8;
 // What a view shows from bottom to top: as deep as double precision goes, and as far.
 inline constexpr double kLeastHeight = 1e-13, kMostHeight = 1e6;
 
-inline constexpr std::array<const char*, 5> kStripWords = {"series", "web", "diagram", "profile",
-                                                           "motion"};
-
 // A setting of all parameters that was set aside.
 using Pin = std::map<std::string, std::vector<double>>;
+
+// What stands below the views: the orbit as a time series or as a web, the bifurcation diagram, the
+// mean of φ over circles, or the motion.
+enum class Strip { series, web, diagram, profile, motion };
+template <>
+struct EnumWords<Strip> {
+    static constexpr std::array<std::string_view, 5> table{"series", "web", "diagram", "profile",
+                                                           "motion"};
+};
 
 struct Workspace {
     std::vector<Scene> views;   // 1, 2, 4 or 5
@@ -76,9 +82,7 @@ struct Workspace {
         double left = 0, right = 1;  // of the number; left < right
         friend bool operator==(const Diagram&, const Diagram&) = default;
     } diagram;
-    // What stands below the views: the orbit as a time series or as a web, the bifurcation diagram,
-    // the mean of φ over circles, or the motion.
-    enum class Strip { series, web, diagram, profile, motion } strip = Strip::series;
+    Strip strip = Strip::series;
 
     bool analysis() const { return views.size() == kAnalysisViews; }
     // The view whose numbers are shown and set: the marked one of an analysis, never its first.

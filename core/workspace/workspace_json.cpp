@@ -4,7 +4,7 @@
 #include "base/base64.h"
 #include "io/document.h"
 #include "io/stb_png.h"
-#include "workspace/workspace.h"
+#include "workspace/workspace_properties.h"
 
 namespace versorium {
 namespace {
@@ -43,20 +43,6 @@ Json shortScene(const Scene& scene) {
     return again && sceneToJson(*again) == whole ? brief : whole;
 }
 
-void readCircles(const Json& circles, ObjectReader& owner, Workspace& workspace) {
-    if (!circles.is_array() || circles.size() > kMostCircles)
-        return owner.fail("circles", "must be a list of at most 8 circles");
-    for (std::size_t k = 0; k < circles.size(); ++k) {
-        ObjectReader reader(circles[k], "circles[" + std::to_string(k) + "]");
-        std::vector<double> centre(4, 0.0);
-        Workspace::Circle circle;
-        reader.numbers("center", centre, 4, 4).number("radius", circle.radius, 1e-15, 1e6);
-        owner.fail(reader.finish());
-        if (centre.size() == 4) std::copy(centre.begin(), centre.end(), circle.centre.begin());
-        workspace.circles.push_back(circle);
-    }
-}
-
 Status checkWelded(const Workspace& workspace) {
     const auto shared = [](const Scene& scene) {
         Json json = sceneToJson(scene);
@@ -82,41 +68,7 @@ Json workspaceToJson(const Workspace& workspace) {
     Json json;
     json["views"] = Json::array();
     for (const Scene& scene : workspace.views) json["views"].push_back(shortScene(scene));
-    json["focused"] = workspace.focused;
-    if (workspace.maximised) json["maximised"] = true;
-    json["point"] = workspace.point;
-    json["orbit_steps"] = workspace.orbitSteps;
-    if (workspace.orbitAt > 0) json["orbit_at"] = workspace.orbitAt;
-    if (workspace.arrows) json["arrows"] = true;
-    if (!workspace.pins.empty()) {
-        json["pins"] = Json::array();
-        for (const Pin& pin : workspace.pins) {
-            Json values = Json::object();
-            for (const auto& [name, value] : pin) values[name] = value;
-            json["pins"].push_back(values);
-        }
-    }
-    if (!workspace.motion.keys.empty()) {
-        motionToJson(workspace.motion, json["motion"]);
-        json["motion"]["view"] = workspace.motionView;
-    }
-    if (!workspace.compared.empty()) json["compared"] = workspace.compared;
-    if (const Workspace::Study& study = workspace.study; !(study == Workspace::Study{}))
-        json["study"] = {{"cycles", study.cycles},
-                         {"most_period", study.mostPeriod},
-                         {"manifolds", study.manifolds},
-                         {"critical_curve", study.criticalCurve}};
-    if (!workspace.showRoots) json["show_roots"] = false;
-    if (workspace.basins) json["basins"] = true;
-    for (const Workspace::Circle& circle : workspace.circles)
-        json["circles"].push_back({{"center", circle.centre}, {"radius", circle.radius}});
-    // A formula that is typed may have taken the number away.
-    if (numberNamed(workspace.views[0], workspace.diagram.number))
-        json["diagram"] = {{"number", workspace.diagram.number},
-                           {"range", {workspace.diagram.left, workspace.diagram.right}}};
-    if (workspace.strip != Workspace::Strip::series)
-        json["strip"] = kStripWords[static_cast<std::size_t>(workspace.strip)];
-    for (const auto& [name, range] : workspace.ranges) json["ranges"][name] = {range[0], range[1]};
+    writeProperties(workspace, workspaceTable(), json);
     return json;
 }
 
@@ -134,92 +86,10 @@ Expected<Workspace> workspaceFromJson(const Json& json) {
         workspace.views.push_back(std::move(*scene));
     }
     if (Status status = checkWelded(workspace); !status.ok()) return status;
-    const MapKernels& map = mapOf(workspace.views[0]);
-    const std::size_t dimension = static_cast<std::size_t>(map.dimension);
-    workspace.point.assign(dimension, 0.0);
-    reader.integer("focused", workspace.focused, 0, static_cast<int>(views->size()) - 1)
-        .boolean("maximised", workspace.maximised)
-        .numbers("point", workspace.point, dimension, dimension)
-        .integer("orbit_steps", workspace.orbitSteps, 0, kMostOrbitSteps)
-        .integer("orbit_at", workspace.orbitAt, 0, kMostOrbitSteps)
-        .boolean("arrows", workspace.arrows);
+    workspace.point.assign(static_cast<std::size_t>(mapOf(workspace.views[0]).dimension), 0.0);
+    readProperties(reader, workspace, workspaceTable());
     if (workspace.orbitAt > workspace.orbitSteps)
         reader.fail("orbit_at", "must be at most orbit_steps");
-    if (const Json* pins = reader.child("pins")) {
-        if (!pins->is_array() || pins->size() > kMostPins) {
-            reader.fail("pins", "must be a list of at most 4 settings");
-        } else {
-            for (std::size_t k = 0; k < pins->size(); ++k) {
-                Pin pin;
-                ObjectReader values((*pins)[k], "pins[" + std::to_string(k) + "]");
-                for (const ParameterInfo& parameter : map.info.parameters) {
-                    const auto width = static_cast<std::size_t>(widthOf(parameter.kind));
-                    std::vector<double> value(parameter.value.begin(),
-                                              parameter.value.begin() + widthOf(parameter.kind));
-                    const std::string name(parameter.name);
-                    values.numbers(name.c_str(), value, width, width);
-                    pin[name] = value;
-                }
-                if (Status status = values.finish(); !status.ok()) return status;
-                workspace.pins.push_back(pin);
-            }
-        }
-    }
-    if (const Json* motion = reader.child("motion")) {
-        ObjectReader one(*motion, "motion");
-        one.integer("view", workspace.motionView, 0, static_cast<int>(views->size()) - 1);
-        const Scene& moving = workspace.views[static_cast<std::size_t>(workspace.motionView)];
-        if (Status status = readMotion(one, moving, workspace.motion); !status.ok()) return status;
-        if (Status status = one.finish(); !status.ok()) return status;
-    }
-    if (reader.child("compared"))
-        reader.numbers("compared", workspace.compared, dimension, dimension);
-    if (const Json* study = reader.child("study")) {
-        ObjectReader one(*study, "study");
-        one.boolean("cycles", workspace.study.cycles)
-            .integer("most_period", workspace.study.mostPeriod, 1, kMostShownPeriod)
-            .boolean("manifolds", workspace.study.manifolds)
-            .boolean("critical_curve", workspace.study.criticalCurve);
-        if (Status status = one.finish(); !status.ok()) return status;
-    }
-    reader.boolean("show_roots", workspace.showRoots).boolean("basins", workspace.basins);
-    std::string strip = kStripWords[0];
-    reader.text("strip", strip);
-    const auto word = std::find(kStripWords.begin(), kStripWords.end(), strip);
-    if (word == kStripWords.end())
-        reader.fail("strip", "must be one of series, web, diagram, profile and motion");
-    else
-        workspace.strip = static_cast<Workspace::Strip>(word - kStripWords.begin());
-    if (const Json* circles = reader.child("circles")) readCircles(*circles, reader, workspace);
-    if (const Json* diagram = reader.child("diagram")) {
-        ObjectReader one(*diagram, "diagram");
-        std::vector<double> range;
-        one.text("number", workspace.diagram.number).numbers("range", range, 2, 2);
-        const auto number = numberNamed(workspace.views[0], workspace.diagram.number);
-        if (!number || number->kind != NumberKind::parameter)
-            one.fail("number", "must be the name of a parameter of the map");
-        if (range.size() != 2 || !(range[0] < range[1]))
-            one.fail("range", "must be two numbers, the lower one first");
-        else
-            workspace.diagram.left = range[0], workspace.diagram.right = range[1];
-        if (Status status = one.finish(); !status.ok()) return status;
-    }
-    if (const Json* ranges = reader.child("ranges")) {
-        if (!ranges->is_object() || ranges->size() > kMostRanges) {
-            reader.fail("ranges", "must be an object of at most 256 ranges");
-        } else {
-            ObjectReader values(*ranges, "ranges");
-            for (const auto& [name, unused] : ranges->items()) {
-                std::vector<double> range;
-                values.numbers(name.c_str(), range, 2, 2);
-                if (range.size() != 2 || !(range[0] < range[1]))
-                    values.fail(name.c_str(), "must be two numbers, the lower one first");
-                else
-                    workspace.ranges[name] = {range[0], range[1]};
-            }
-            if (Status status = values.finish(); !status.ok()) return status;
-        }
-    }
     if (Status status = reader.finish(); !status.ok()) return status;
     return workspace;
 }

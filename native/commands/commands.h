@@ -36,6 +36,7 @@ void addRenderCommands(CommandLine& line);    // render, plate
 void addAnimateCommand(CommandLine& line);    // animate
 void addMeasureCommands(CommandLine& line);   // eval, orbit
 void addDynamicsCommands(CommandLine& line);  // cycles, manifolds, critical, explain
+void addValuesCommand(CommandLine& line);     // values
 void addShapeCommands(CommandLine& line);     // roots, profile
 void addFileCommands(CommandLine& line);      // shape, scene
 void addLessonCommands(CommandLine& line);    // lesson

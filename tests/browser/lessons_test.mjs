@@ -49,17 +49,17 @@ function settings(solution, open) {
     const key = line.slice(0, colon).trim(), value = line.slice(colon + 1).trim();
     const each = (ids) => numbers(value).forEach((number, k) => ids[k] && wanted.push([ids[k], String(number)]));
     if (open.includes(key)) wanted.push([key, value]);
-    else if (key.endsWith("slice.center")) each(["centre0", "centre1"]);
-    else if (key.endsWith("slice.height")) wanted.push(["height", value]);
+    else if (key.endsWith("slice.center")) each(["slice.center[0]", "slice.center[1]"]);
+    else if (key.endsWith("slice.height")) wanted.push(["slice.height", value]);
     else if (key.endsWith(".start")) wanted.push(["critical", "on"]);
-    else if (key === "ensemble.count") wanted.push(["ensemble members", value]);
+    else if (key === "ensemble.count") wanted.push(["ensemble.count", value]);
     else if (key === "point") each(open.filter((id) => ["x", "y", "z.re", "z.im"].includes(id)));
     else if (key === "circle") {
       if (value === "none") continue;
       if (++circles >= dropped) wanted.push(["drop circle", ""]);
       const [x, y, radius] = value.split(",").map((part) => part.trim());
       const id = `circles[${circles}].`;
-      wanted.push([id + "radius", radius], [id + "centre0", x], [id + "centre1", y]);
+      wanted.push([id + "radius", radius], [id + "center[0]", x], [id + "center[1]", y]);
     } else if (key === "roots" || key === "poles") {
       value.split(";").forEach((root, k) => {
         const [re, im, power] = root.trim().split(/\s+/);

@@ -109,7 +109,7 @@ const tests = {
     await finished(page);
     await shoot(page, "phone");
     const first = await fragment(page);
-    await set(page, "do Draw the outline of a shape", "");
+    await set(page, "do draw.outline", "");
     await page.waitForTimeout(400);
     const session = await page.context().newCDPSession(page);
     const touch = (type, ...points) =>
@@ -133,7 +133,7 @@ const tests = {
     await finished(page);
     const first = await fragment(page);
     for (const [text, said] of [["polygon(0, 0, 1, 1, 2, 2)", "one line"], ["star(5, 1", "character"]]) {
-      await set(page, "shape", text);
+      await set(page, "shape.source", text);
       await waitFor(page, (said) => document.getElementById("said").textContent.includes(said), said);
     }
     assert.equal(await fragment(page), first);

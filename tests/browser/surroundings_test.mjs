@@ -215,14 +215,14 @@ const tests = {
     await page.keyboard.press("Enter");
     assert.match(await said(), /cannot be much/);
     assert.equal(await value("c.re"), "-0.125");
-    await tab("palette");
+    await tab("colour.palette");
     await page.keyboard.press("f");
-    await waitFor(page, () => /"palette","kind":"choice","value":"f/.test(versorium.controls()));
-    await tab("reverse");
+    await waitFor(page, () => /"id":"colour.palette","group":"[^"]*","label":"[^"]*","kind":"choice","value":"f/.test(versorium.controls()));
+    await tab("colour.reverse");
     await page.keyboard.press("Space");
-    assert.equal(await value("reverse"), "on");
+    assert.equal(await value("colour.reverse"), "on");
     // A command; each of the studio's is here.
-    await tab("do Undo");
+    await tab("do undo");
     const now = await fragment(page);
     await page.keyboard.press("Enter");
     await changed(page, now);
@@ -242,7 +242,7 @@ const tests = {
     const value = () => page.evaluate(() =>
       JSON.parse(versorium.controls()).controls.find(({ id }) => id === "c.re").value);
     await spoken("es");
-    await waitFor(page, () => document.querySelector('[data-id="do Undo"]')?.textContent === "Deshacer");
+    await waitFor(page, () => document.querySelector('[data-id="do undo"]')?.textContent === "Deshacer");
     assert.equal(await page.textContent("#open"), "Abrir un archivo");
     assert.match(await page.inputValue('[data-id="c.re"] input'), /^-?0,\d+$/);
     await page.focus('[data-id="c.re"] input');
@@ -252,7 +252,7 @@ const tests = {
     assert.equal(await value(), "-0.125");
     await page.evaluate(() => versorium.set("language", "en"));
     await spoken("en");
-    await waitFor(page, () => document.querySelector('[data-id="do Undo"]')?.textContent === "Undo");
+    await waitFor(page, () => document.querySelector('[data-id="do undo"]')?.textContent === "Undo");
     assert.equal(await page.textContent("#open"), "Open a file");
     assert.equal(await page.inputValue('[data-id="c.re"] input'), "-0.125");
     await page.reload();

@@ -61,17 +61,19 @@ RAW.update({"ImGui::InputTextWithHint": [0, 1], "ImGui::BeginCombo": [0, 1], "Im
 TABLES = [
     ("core/maps/*.h", r"\.(?:title|help|source)\s*=\s*"),
     ("core/maps/formula_map.cpp", r"\.(?:title|help|source)\s*=\s*"),
-    ("core/fields/field_names.cpp", r"\{FieldName::\w+,\s*"),
-    ("core/fields/field_names.cpp", r'\{FieldName::\w+,\s*"\w+",\s*'),
+    ("core/fields/field_names.cpp", r"\{FieldName::\w+,\s*wordOf\([^)]*\),\s*"),
+    # The words of enumerations, but for those that only files have.
+    ("core/*/*.h", r"struct EnumWords<(?!ValueKind)[\w:]+> \{\s*static constexpr [^{]*\{"),
+    ("core/ui/*/*.h", r"struct EnumWords<[\w:]+> \{\s*static constexpr [^{]*\{"),
     ("core/dynamics/cycles.cpp", r"const char\* wordOf\(CycleKind kind\) \{"),
 ]
 # Where texts of plates are written, and how they are said there.
-PLATES = ["core/plate/*.cpp", "core/workspace/*.cpp", "core/lesson/*.cpp"]
+PLATES = ["core/scene/*.cpp", "core/plate/*.cpp", "core/workspace/*.cpp", "core/lesson/*.cpp"]
 WORDS_OF_PLATES = {"words.tr": [0], "words_.tr": [0], "trLater": [0]}
 # Not shown, or the same everywhere.
 EXEMPT = {"layer", "what", "value", "Versorium", "star(5, 0.9, 0.45)", "Mark view ", "the CPU draws this: ",
           "begin export", "cancel export", "lesson step", "teacher reset", "view tab", "strip tab",
-          "draw shape"}
+          "draw shape", "Page Up", "Page Down"}
 # Rooms whose messages the studio shows by trMessage(), and the functions that make them, with the
 # place of the message from the end. What the command line alone asks for is left out.
 ROOMS = "base colour dynamics gpu io lesson render scene shape trace ui workspace".split()

@@ -45,8 +45,8 @@ TEST(Scale, StaysInTheUnitIntervalWhateverComes) {
     EXPECT_FALSE((Scale{ScaleKind::log, 0, 1}.check().ok()));
     EXPECT_FALSE((Scale{ScaleKind::linear, 1, 1}.check().ok()));
     EXPECT_FALSE((Scale{ScaleKind::linear, 0, kInf}.check().ok()));
-    EXPECT_FALSE(scaleKindFromWord("logarithmic").ok());
-    EXPECT_EQ(*scaleKindFromWord("truncated_log"), ScaleKind::truncatedLog);
+    EXPECT_FALSE(fromWord<ScaleKind>("logarithmic").has_value());
+    EXPECT_EQ(*fromWord<ScaleKind>("truncated_log"), ScaleKind::truncatedLog);
 }
 
 TEST(Rules, Equation14) {

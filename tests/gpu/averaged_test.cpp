@@ -29,8 +29,8 @@ Scene discs(int count) {
     scene.iterations = 40;
     scene.ensemble.count = count;
     scene.ensemble.discs.push_back({"c", -0.1, 0.6, 0.3});
-    scene.colour.field = "mean_membership";
-    scene.colour.interior = "none";
+    scene.colour.field = FieldName::meanMembership;
+    scene.colour.interior = SetName::none;
     return scene;
 }
 
@@ -92,7 +92,7 @@ void compare(const Scene& scene) {
 TEST(GpuAveraged, RandomRoots) {
     compare(star(40));
     Scene solid = star(40);
-    solid.ensemble.set = "solid";
+    solid.ensemble.set = AveragedSet::solid;
     compare(solid);
     Scene several = star(40);
     several.ensemble.roots->draw.least = 2;
@@ -112,8 +112,8 @@ TEST(GpuAveraged, Quaternions) {
     scene.samples = 1;
     scene.ensemble.count = 20;
     scene.ensemble.roots.emplace();
-    scene.colour.field = "mean_membership";
-    scene.colour.interior = "none";
+    scene.colour.field = FieldName::meanMembership;
+    scene.colour.interior = SetName::none;
     scene.parameters["alpha"] = {3};
     compare(scene);
 }
@@ -127,8 +127,8 @@ TEST(GpuAveraged, NumbersFromDiscsAndRanges) {
     set.start = {0, 0};
     set.ensemble.count = 30;
     set.ensemble.ranges.push_back({"z.re", -0.5, 0.5});
-    set.colour.field = "mean_membership";
-    set.colour.interior = "none";
+    set.colour.field = FieldName::meanMembership;
+    set.colour.interior = SetName::none;
     compare(set);
 }
 
@@ -140,7 +140,7 @@ TEST(GpuAveraged, GoesOnWhenTheEnsembleGrows) {
     ASSERT_TRUE(picture.finish().ok());
     const long long draws = gpu.iterationDraws;
     // Other colours and the standard error count nothing.
-    scene.colour.field = "standard_error";
+    scene.colour.field = FieldName::standardError;
     scene.colour.contours = {0.05};
     ASSERT_TRUE(picture.recolour(scene).ok());
     EXPECT_EQ(picture.state(), GpuPicture::State::finished);
@@ -156,7 +156,7 @@ TEST(GpuAveraged, GoesOnWhenTheEnsembleGrows) {
     EXPECT_EQ(rasters[0].values(), onGraphics(star(50))[0].values());
     scene.ensemble.count = 10;
     EXPECT_FALSE(picture.recolour(scene).ok());
-    scene.colour.field = "escape_step";
+    scene.colour.field = FieldName::escapeStep;
     EXPECT_FALSE(picture.recolour(scene).ok());
 }
 
@@ -199,10 +199,10 @@ TEST(GpuAveraged, SaysWhatTheProcessorHasToCount) {
     };
     refused(star(kMostGpuMembers + 1), "24 bits");
     Scene inside = star(20);
-    inside.colour.interior = "membership";
+    inside.colour.interior = SetName::membership;
     refused(inside, "beside the mean");
     Scene last = star(20);
-    last.escapeTest = "last";
+    last.escapeTest = EscapeTest::last;
     refused(last, "last point");
     Scene none = star(20);
     none.ensemble = {};

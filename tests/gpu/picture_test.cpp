@@ -65,7 +65,8 @@ double differing(const Raster<unsigned char>& one, const Raster<unsigned char>& 
 }
 
 TEST(GpuPicture, ColoursAreThoseOfTheProcessor) {
-    for (const char* rule : {"palette", "gradient", "versor", "phase", "domain"})
+    for (const ColourRule rule : {ColourRule::palette, ColourRule::gradient, ColourRule::versor,
+                                  ColourRule::phase, ColourRule::domain})
         for (int samples : {1, 2}) {
             Scene scene = mandelbrot();
             scene.slice.centreLow[0] += 1e-3;
@@ -83,7 +84,7 @@ TEST(GpuPicture, ColoursAreThoseOfTheProcessor) {
             Frame frame;
             ASSERT_TRUE(cpu.render(scene, kSize, {}, job, frame).ok());
             EXPECT_LE(differing(pixelsOf(picture), encodeSrgb(frame.colour)), 2.0)
-                << rule << " with " << samples;
+                << wordOf(rule) << " with " << samples;
         }
 }
 
@@ -113,7 +114,7 @@ TEST(GpuPicture, RecolouringDoesNotIterate) {
     const auto before = pixelsOf(picture);
     const long long draws = gpu.iterationDraws;
     scene.colour = {};
-    scene.colour.rule = "gradient";
+    scene.colour.rule = ColourRule::gradient;
     ASSERT_TRUE(picture.recolour(scene).ok());
     EXPECT_TRUE(picture.advance(0.01));
     EXPECT_NE(before.values(), pixelsOf(picture).values());
@@ -178,10 +179,10 @@ TEST(GpuPicture, SaysWhatTheProcessorHasToDraw) {
     deep.slice.height = 1e-6;
     refused(deep, "32 bits are not enough here");
     Scene distance = mandelbrot();
-    distance.colour.field = "distance";
+    distance.colour.field = FieldName::distance;
     refused(distance, "distance");
     Scene outlined = mandelbrot();
-    outlined.colour.outline = "membership";
+    outlined.colour.outline = SetName::membership;
     refused(outlined, "outline");
     Scene mesh = sceneOf(*findMap("shape-modulus"));
     mesh.shape.source = "bunny";

@@ -49,11 +49,11 @@ TEST(Assign, EveryCommonKey) {
                                        "outline=membership", "escape_test=last", "reverse=true"});
     EXPECT_EQ(power.parameters.at("power")[0], 2.5);
     EXPECT_EQ(power.colour.palette, "viridis");
-    EXPECT_EQ(power.colour.field, "distance");
-    EXPECT_EQ(power.colour.scale, "log");
+    EXPECT_EQ(power.colour.field, FieldName::distance);
+    EXPECT_EQ(power.colour.scale, ScaleKind::log);
     EXPECT_EQ(power.colour.range, (std::vector<double>{0.1, 2}));
-    EXPECT_EQ(power.trap.kind, "circle");
-    EXPECT_EQ(power.colour.outline, "membership");
+    EXPECT_EQ(power.trap.kind, Trap::Kind::circle);
+    EXPECT_EQ(power.colour.outline, SetName::membership);
     EXPECT_TRUE(power.colour.reverse);
 
     const Scene shape = with("shape-modulus",
@@ -63,7 +63,7 @@ TEST(Assign, EveryCommonKey) {
     EXPECT_EQ(shape.parameters.at("beta")[0], 0.02);
     EXPECT_EQ(shape.parameters.at("shift"), (std::vector<double>{0.1, 0, -0.1, 0}));
     EXPECT_EQ(shape.shape.source, "torus(0.3, 0.1)");
-    EXPECT_EQ(shape.shape.outside, "border");
+    EXPECT_EQ(shape.shape.outside, Outside::border);
     EXPECT_EQ(shape.lists.at("roots").roots[1].power, 3);
     EXPECT_EQ(shape.lists.at("roots").roots[1].q[0], 0.25);
     const Scene typed = with("newton", {R"(roots={"roots": [{"q": [2]}, {"q": [0, 1]}]})"});

@@ -26,7 +26,7 @@ PanelSource fakeSource() {
         if (scene.contains("perspective")) info.x.reset(), info.y.reset();
         if (scene.contains("bar"))
             info.bar = ColourBar{"a quantity with a rather long name, \\hat{r}^{α}",
-                                 {*scaleKindFromWord(scene["bar"].get<std::string>()),
+                                 {*fromWord<ScaleKind>(scene["bar"].get<std::string>()),
                                   number("bar_low", 1e-7), number("bar_high", 1e7)},
                                  defaultPalette()};
         info.versorKey = scene.contains("versor");

@@ -60,7 +60,7 @@ TEST(AveragedMap, TakesACoordinateForEachAxisAndNoMore) {
 }
 
 TEST(AveragedMap, IsTheMeanOfItsMembersOneByOne) {
-    for (const char* set : {"membership", "solid"}) {
+    for (const AveragedSet set : {AveragedSet::membership, AveragedSet::solid}) {
         Scene scene = starScene(20);
         scene.ensemble.set = set;
         const Raster<double> mean = counted(scene, kSmall, {20}).mean();
@@ -77,7 +77,7 @@ TEST(AveragedMap, IsTheMeanOfItsMembersOneByOne) {
                     const double u = (x + 0.5 - 0.5 * kSmall.width) * pixel;
                     const double v = (0.5 * kSmall.height - y - 0.5) * pixel, w = 0;
                     const double* coordinates[3] = {&u, &v, &w};
-                    const FieldName field[] = {findField(set)->field};
+                    const FieldName field[] = {findField(wordOf(set))->field};
                     sum.at(x, y) +=
                         evaluateFields(program, 1, coordinates, field, {.shortcuts = false})[0][0];
                 }
@@ -85,7 +85,7 @@ TEST(AveragedMap, IsTheMeanOfItsMembersOneByOne) {
         int between = 0;
         for (int y = 0; y < kSmall.height; ++y)
             for (int x = 0; x < kSmall.width; ++x) {
-                EXPECT_EQ(mean.at(x, y), sum.at(x, y) / 20) << set << " " << x << " " << y;
+                EXPECT_EQ(mean.at(x, y), sum.at(x, y) / 20) << wordOf(set) << " " << x << " " << y;
                 between += mean.at(x, y) > 0 && mean.at(x, y) < 1;
             }
         EXPECT_GT(between, 20);

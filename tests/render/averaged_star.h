@@ -16,8 +16,8 @@ inline Scene averagedStar(int count, int seed = 1) {
     scene.ensemble.count = count;
     scene.ensemble.seed = seed;
     scene.ensemble.roots.emplace();
-    scene.colour.field = "mean_membership";
-    scene.colour.interior = "none";
+    scene.colour.field = FieldName::meanMembership;
+    scene.colour.interior = SetName::none;
     return scene;
 }
 

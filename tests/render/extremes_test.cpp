@@ -31,7 +31,7 @@ void tryValue(Scene scene, const std::string& key, const std::string& value) {
         EXPECT_NE(status.message().find(key), std::string::npos) << status.message();
         return;
     }
-    expectBounded(scene, scene.map + " " + key + "=" + value + " " + scene.colour.field);
+    expectBounded(scene, scene.map + " " + key + "=" + value + " " + std::string(wordOf(scene.colour.field)));
 }
 
 TEST(Extremes, NumbersOfEveryMap) {
@@ -80,7 +80,7 @@ TEST(Extremes, EveryFieldAtTheLimits) {
             Scene scene = sceneOf(*findMap(name));
             scene.samples = 1;
             scene.iterations = 20;
-            scene.colour.field = std::string(field.name);
+            scene.colour.field = field.field;
             expectBounded(scene, scene.map);
             for (const std::string key : {"height", "escape_radius", "iterations", "iso"})
                 for (const char* value : {"0", "1e-300", "1e12", "1e150", "1"})

@@ -16,7 +16,7 @@ namespace {
 Scene plain(double alpha) {
     Scene scene = sceneOf(*findMap("quadratic"));
     scene.slice.centre = {100, 0};
-    scene.colour.rule = "gradient";
+    scene.colour.rule = ColourRule::gradient;
     scene.colour.escaped.start = scene.colour.escaped.finish = {1, 0, 0, alpha};
     scene.samples = 1;
     return scene;

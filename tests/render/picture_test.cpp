@@ -51,10 +51,10 @@ TEST(Picture, CarriesAssetsAndOptions) {
         addAsset(scene, {"tetrahedron.obj", {tetrahedron.begin(), tetrahedron.end()}});
     scene.shape.resolution = 12;
     scene.shape.padding = 1;
-    scene.colour.outline = "solid";
+    scene.colour.outline = SetName::solid;
     expectToRenderItself(scene, {.size = {20, 20}}, "mesh");
     scene.colour.attracted.start.a = 0;
-    scene.colour.rule = "gradient";
+    scene.colour.rule = ColourRule::gradient;
     expectToRenderItself(scene, {.size = {20, 20}, .flavour = Flavour::fast}, "transparent");
 }
 

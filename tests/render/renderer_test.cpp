@@ -20,17 +20,17 @@ std::vector<Scene> smallScenes() {
     for (const char* map : {"quadratic", "mandelbulb", "newton", "shape-modulus", "logistic"})
         scenes.push_back(sceneOf(*findMap(map)));
     Scene gradient = scenes[0];
-    gradient.colour.rule = "gradient";
+    gradient.colour.rule = ColourRule::gradient;
     gradient.colour.attracted.finish = {0.4, 0.5, 0.6, 0.5};
     scenes.push_back(gradient);
     Scene versor = scenes[3];
-    versor.colour.rule = "versor";
-    versor.colour.outline = "solid";
+    versor.colour.rule = ColourRule::versor;
+    versor.colour.outline = SetName::solid;
     scenes.push_back(versor);
     Scene phase = scenes[2];
-    phase.colour.rule = "phase";
+    phase.colour.rule = ColourRule::phase;
     scenes.push_back(phase);
-    phase.colour.rule = "domain";
+    phase.colour.rule = ColourRule::domain;
     scenes.push_back(phase);
     Scene drawn = sceneOf(*findMap("shape-modulus-complex-rational"));
     drawn.shape.source = "polygon(-0.8, -0.7, 0.9, -0.6, 0.2, 0.8)";
@@ -39,7 +39,7 @@ std::vector<Scene> smallScenes() {
     Scene mandelbrot = scenes[0];
     mandelbrot.slice.axes = {{{{"c.re", 1.0}}}, {{{"c.im", 1.0}}}};
     mandelbrot.criticalStart = 0;
-    mandelbrot.colour.outline = "membership";
+    mandelbrot.colour.outline = SetName::membership;
     scenes.push_back(mandelbrot);
     for (Scene& scene : scenes) scene.iterations = std::min(scene.iterations, 60);
     return scenes;
@@ -71,7 +71,7 @@ TEST(Renderer, DoesNotDependOnThreads) {
 TEST(Renderer, APictureIsItsFieldsPixelByPixel) {
     for (Scene scene : smallScenes()) {
         scene.samples = 1;
-        scene.colour.outline = "none";
+        scene.colour.outline = SetName::none;
         const Size size{37, 33};
         const Frame frame = rendered(scene, size);
         CpuRenderer renderer;
@@ -162,7 +162,7 @@ TEST(Renderer, MeasuresAtPointsWithTheScenesParameters) {
 // Samples are averaged in linear light, colours weighted by alpha.
 TEST(Renderer, AveragesInLinearLight) {
     for (Scene scene : smallScenes()) {
-        scene.colour.outline = "none";
+        scene.colour.outline = SetName::none;
         scene.samples = 3;
         const Frame coarse = rendered(scene, {14, 11});
         scene.samples = 1;

@@ -116,13 +116,14 @@ TEST(Scene, EverythingAtOnceReadsBack) {
     scene.slice.centre = {0.1, 0.2, 0.3};
     scene.slice.centreLow = {1e-18, -1e-19, 0};
     scene.slice.height = 1e-9;
-    scene.shape = {"union(sphere(0.3), box(0.1, 0.2, 0.3))", 32, 2.5, "border", true};
+    scene.shape = {"union(sphere(0.3), box(0.1, 0.2, 0.3))", 32, 2.5, Outside::border, true};
     scene.escapeRadius = 12.5;
-    scene.escapeTest = "last";
+    scene.escapeTest = EscapeTest::last;
     scene.iso = -0.25;
-    scene.trap = {"circle", {0.5, 0.25, 0.125}, 0.75, 1.5};
-    scene.colour = {"gradient", "trap", "viridis", {},        true,    "log",     {0.5, 2},
-                    "none",     {},     {},        "log-log", "solid", "#ff8000", 2.5};
+    scene.trap = {Trap::Kind::circle, {0.5, 0.25, 0.125}, 0.75, 1.5};
+    scene.colour = {ColourRule::gradient, FieldName::trap, "viridis",     {}, true,
+                    ScaleKind::log,       {0.5, 2},        SetName::none, {}, {},
+                    Smoothing::logLog,    SetName::solid,  "#ff8000",     2.5};
     scene.aspect = 1.5;
     scene.samples = 4;
     addAsset(scene, {"grid.f3d", {1, 2, 3, 250}});
@@ -134,7 +135,7 @@ TEST(Scene, EverythingAtOnceReadsBack) {
     EXPECT_EQ(again->samples, 4);
     EXPECT_EQ(again->aspect, 1.5);
     EXPECT_EQ(again->iso, -0.25);
-    EXPECT_EQ(again->escapeTest, "last");
+    EXPECT_EQ(again->escapeTest, EscapeTest::last);
 }
 
 // A start at a critical point is another start than numbers.
@@ -173,7 +174,7 @@ TEST(Scene, RefusesWhatIsNoNumberOrTooLarge) {
     expectFault(R"({"iso": Infinity})", "not JSON");
     expectFault(R"({"parameters": {"c": [1e999, 0]}})", "");
     EXPECT_NE(faultOf(R"({"parameters": {"c": [1e999, 0]}})"), "");
-    expectFault(R"({"parameters": {"c": [1e308, 0]}})", "parameters: c ");
+    expectFault(R"({"parameters": {"c": [1e308, 0]}})", "parameters.c: ");
     expectFault(R"({"iterations": 10000001})", "iterations: ");
     expectFault(R"({"iterations": -1})", "iterations: ");
     expectFault(R"({"iterations": 1.5})", "iterations: 1.5 is not a whole number");

@@ -151,7 +151,7 @@ TEST(MotionPanel, KeyFramesAreSetMovedAndTakenAway) {
     context.showMotionAt(1);
     EXPECT_NEAR(sharedNumber(context.workspace, "c.re"), (-1 - 0.7269) / 2, 1e-12);
     // The second one is dragged along the line of time.
-    context.workspace.strip = StudioContext::Strip::motion;
+    context.workspace.strip = Strip::motion;
     const auto strip = [&] { drawTimeline(context); };
     for (int k = 0; k < 3; ++k) gui.frame(strip);
     ImGuiIO& io = ImGui::GetIO();

@@ -57,7 +57,7 @@ TEST(AveragedPictures, OtherColoursCountNothingAndMoreMembersGoOn) {
     Job job(1);
     EXPECT_EQ(computePicture(maker, requestFor(scene, 100), job).members, 20);
     const AveragedMap* counted = maker.averaged.of(scene, kSize)->get();
-    scene.colour.field = "standard_error";
+    scene.colour.field = FieldName::standardError;
     scene.colour.palette = "fire";
     scene.colour.contours = {0.01};
     EXPECT_EQ(maker.averaged.of(scene, kSize)->get(), counted);

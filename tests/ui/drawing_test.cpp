@@ -219,7 +219,7 @@ TEST(Shapes, ModulusVersorAndLogModulusAreFourViews) {
         ASSERT_EQ(context.workspace.views.size(), 4u) << map;
         EXPECT_TRUE(workspaceFromJson(workspaceToJson(context.workspace))) << map;
         EXPECT_EQ(context.workspace.views[1].colour.rule,
-                  std::string(map) == "shape-modulus" ? "versor" : "domain");
+                  std::string(map) == "shape-modulus" ? ColourRule::versor : ColourRule::domain);
     }
 }
 

@@ -7,6 +7,7 @@
 #include "fields/ensemble.h"
 #include "render/cpu/cpu_renderer.h"
 #include "render/shape_profile.h"
+#include "scene/properties.h"
 #include "ui/controls/controls.h"
 #include "ui/headless_gui.h"
 #include "ui/session/ensemble_change.h"
@@ -27,7 +28,7 @@ TEST(Ensemble, OnePressAveragesOverVersorsAndUndoTakesItBack) {
     context.newMap("shape-modulus-complex-rational");
     context.record();
     const auto before = workspaceToJson(context.workspace);
-    ASSERT_TRUE(setControl(context, "do " + ensembleCommands(context)[0].name, ""));
+    ASSERT_TRUE(setControl(context, "do average.versors", ""));
     const Scene& scene = context.workspace.view();
     ASSERT_TRUE(scene.ensemble.roots);
     EXPECT_TRUE(scene.ensemble.roots->shapeBox);
@@ -41,7 +42,8 @@ TEST(Ensemble, OnePressAveragesOverVersorsAndUndoTakesItBack) {
     // A link carries it.
     const Expected<Workspace> link = workspaceFromLink(*workspaceToLink(context.workspace));
     ASSERT_TRUE(link.ok()) << link.status().message();
-    EXPECT_EQ(ensembleToJson(link->view().ensemble), ensembleToJson(scene.ensemble));
+    EXPECT_EQ(writeObject(link->view().ensemble, ensembleTable()),
+              writeObject(scene.ensemble, ensembleTable()));
     EXPECT_EQ(link->view().colour, scene.colour);
     context.record();
     context.undo();
@@ -82,35 +84,35 @@ TEST(Ensemble, ControlsSetAllOfIt) {
     SilentHost host;
     StudioContext context(host);
     context.newMap("shape-modulus-complex-rational");
-    EXPECT_EQ(valueOf(context, "ensemble members"), "missing");
+    EXPECT_EQ(valueOf(context, "ensemble.count"), "missing");
     ASSERT_TRUE(setControl(context, "ensemble roots", "on"));
-    for (const auto& [id, value] :
-         std::vector<std::pair<std::string, std::string>>{{"ensemble members", "250"},
-                                                          {"ensemble seed", "7"},
-                                                          {"ensemble set", "solid"},
-                                                          {"ensemble shown", "standard error"},
-                                                          {"ensemble least", "4"},
-                                                          {"ensemble most", "9"},
-                                                          {"ensemble high power", "2"},
-                                                          {"ensemble whole", "off"},
-                                                          {"ensemble arrangement", "clustered"},
-                                                          {"ensemble clusters", "2"},
-                                                          {"ensemble region", "ball"}}) {
+    for (const auto& [id, value] : std::vector<std::pair<std::string, std::string>>{
+             {"ensemble.count", "250"},
+             {"ensemble.seed", "7"},
+             {"ensemble.set", "solid"},
+             {"ensemble shown", "standard error"},
+             {"ensemble.roots.count[0]", "4"},
+             {"ensemble.roots.count[1]", "9"},
+             {"ensemble.roots.power[1]", "2"},
+             {"ensemble.roots.powers", "real"},
+             {"ensemble.roots.arrangement", "clustered"},
+             {"ensemble.roots.clusters", "2"},
+             {"ensemble.roots.region", "ball"}}) {
         EXPECT_TRUE(setControl(context, id, value)) << id;
         EXPECT_EQ(valueOf(context, id), value) << id;
     }
-    EXPECT_TRUE(setControl(context, "contours", "0.01 0.005"));
-    EXPECT_EQ(valueOf(context, "contours"), "0.005, 0.01");
-    EXPECT_FALSE(setControl(context, "contours", "half"));
+    EXPECT_TRUE(setControl(context, "colour.contours", "0.01 0.005"));
+    EXPECT_EQ(valueOf(context, "colour.contours"), "0.005, 0.01");
+    EXPECT_FALSE(setControl(context, "colour.contours", "half"));
     EXPECT_TRUE(setControl(context, "ensemble range", "alpha"));
-    EXPECT_TRUE(setControl(context, "ensemble alpha to", "9.5"));
+    EXPECT_TRUE(setControl(context, "ensemble.ranges[0].to", "9.5"));
     EXPECT_TRUE(setControl(context, "ensemble disc", "shift"));
-    EXPECT_TRUE(setControl(context, "ensemble shift disc radius", "0.25"));
+    EXPECT_TRUE(setControl(context, "ensemble.discs[0].radius", "0.25"));
     const EnsembleSpec& ensemble = context.workspace.view().ensemble;
     EXPECT_EQ(ensemble.ranges[0].to, 9.5);
     EXPECT_EQ(ensemble.discs[0].radius, 0.25);
     // Nonsense is refused and leaves everything as it was.
-    setControl(context, "ensemble low power", "50");
+    setControl(context, "ensemble.roots.power[0]", "50");
     EXPECT_EQ(ensemble.roots->draw.lowPower, 1);
     EXPECT_TRUE(sceneFromJson(sceneToJson(context.workspace.view())).ok());
     EXPECT_TRUE(setControl(context, "no average", ""));
@@ -223,7 +225,7 @@ TEST(ProfileStrip, OfADiscIsAStraightLine) {
     EXPECT_NE(profileAt(profile, 0.01).find("stays"), std::string::npos);
     EXPECT_NE(profileAt(profile, profile.radius.back()).find("leaves"), std::string::npos);
 
-    context.workspace.strip = StudioContext::Strip::profile;
+    context.workspace.strip = Strip::profile;
     const auto strip = [&] { drawOrbitStrip(context); };
     for (int k = 0; k < 3; ++k) gui.frame(strip);
     ImGui::GetIO().AddMousePosEvent(450, 150);
@@ -240,7 +242,7 @@ TEST(ProfileStrip, OfADiscIsAStraightLine) {
     // A map without a shape has none.
     context.newMap("quadratic");
     gui.frame(strip);
-    EXPECT_EQ(context.workspace.strip, StudioContext::Strip::series);
+    EXPECT_EQ(context.workspace.strip, Strip::series);
     EXPECT_FALSE(studyProfile(context).profile);
 }
 

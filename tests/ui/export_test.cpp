@@ -68,7 +68,7 @@ TEST(Export, APlateCanBeMadeOfEveryPreset) {
 TEST(Export, ABarePictureKeepsItsAlpha) {
     Workspace workspace = coarse("mandelbrot");
     Colouring& colour = workspace.view().colour;
-    colour.rule = "gradient";
+    colour.rule = ColourRule::gradient;
     colour.escaped.start.a = colour.escaped.finish.a = 0.25;
     ExportOptions options;
     options.width = 40;

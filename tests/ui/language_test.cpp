@@ -78,10 +78,10 @@ TEST(StudioLanguage, ControlsKeepTheirNamesAndValues) {
             said += found->second.label != control.label;
         }
         EXPECT_GT(said, 100) << map;
-        EXPECT_EQ(spanish.at("iterations").label, "máximo de iteraciones N");
+        EXPECT_EQ(spanish.at("iterations").label, "pasos máx. N");
         EXPECT_EQ(spanish.at("iterations").group, "Órbita");
-        EXPECT_EQ(spanish.at("do Undo").label, "Deshacer");
-        EXPECT_EQ(spanish.at("outline").value, english.at("outline").value);
+        EXPECT_EQ(spanish.at("do undo").label, "Deshacer");
+        EXPECT_EQ(spanish.at("colour.outline").value, english.at("colour.outline").value);
     }
     EXPECT_TRUE(has(describeView(context, 1), "Vista 2, puntos de partida de"));
     EXPECT_TRUE(has(controlsText(context), "\"language\":\"es\",\"decimal\":\",\""));

@@ -205,7 +205,7 @@ TEST(TeacherLink, LocksWhateverHandWouldChange) {
     keepLocks(context);
     EXPECT_EQ(workspaceToJson(context.workspace), teachers);
     EXPECT_FALSE(openText(context, "v1:abc").ok());
-    for (const Command& command : commandsOf(context)) EXPECT_TRUE(isHarmless(command.name));
+    for (const Command& command : commandsOf(context)) EXPECT_TRUE(command.harmless);
 }
 
 TEST(TeacherLink, IsMadeInItsDialog) {

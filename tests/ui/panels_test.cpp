@@ -53,7 +53,7 @@ TEST(Help, EveryControlOfTheInspectorExplainsItself) {
     context.paletteStop = 1;
     context.touch();
     expectHelpEverywhere(gui, inspector, "a palette of its own");
-    colour.rule = "gradient";
+    colour.rule = ColourRule::gradient;
     context.touch();
     expectHelpEverywhere(gui, inspector, "gradient");
     context.newMap("logistic");
@@ -162,7 +162,7 @@ TEST(Formulas, SavedOnesComeBackWithTheNextStart) {
     EXPECT_EQ(context.formulas.all()[1].text, "c*sin(z)");
     const auto found = [&](const std::string& question, const std::string& name) {
         for (const Command& command : formulaCommands(context, question))
-            if (command.name.find(name) != std::string::npos) return command.run(), true;
+            if (command.label.find(name) != std::string::npos) return command.run(), true;
         return false;
     };
     EXPECT_TRUE(found("", "tricorn"));
@@ -186,9 +186,9 @@ TEST(Help, EveryControlOfTheOrbitStripExplainsItself) {
     const auto strip = [&] { drawOrbitStrip(context); };
     expectHelpEverywhere(gui, strip, "series");
     context.newMap("logistic");
-    context.workspace.strip = StudioContext::Strip::web;
+    context.workspace.strip = Strip::web;
     expectHelpEverywhere(gui, strip, "web");
-    context.workspace.strip = StudioContext::Strip::diagram;
+    context.workspace.strip = Strip::diagram;
     expectHelpEverywhere(gui, strip, "diagram");
     context.setKey();
     context.player.key = 0;

@@ -35,7 +35,7 @@ TEST(Reference, TheStudiosSceneHasTheAuthorsValues) {
             ASSERT_TRUE(setControl(context, "alpha", alpha));
             ASSERT_TRUE(setControl(context, "beta", beta));
             ASSERT_TRUE(setControl(context, "iterations", "3"));
-            ASSERT_TRUE(setControl(context, "radius", "20"));
+            ASSERT_TRUE(setControl(context, "escape_radius", "20"));
             Binder binder;
             Job job(1);
             Expected<OrbitProgram> program = binder.bind(context.workspace.view(), job);

@@ -227,7 +227,7 @@ TEST(CyclesPanel, OfHenonAreListedDrawnAndClicked) {
     HeadlessGui gui({330, 300});
     const auto panel = [&] { drawCycleControls(context); };
     std::vector<double> seen;
-    for (float y = 90; y < 220; y += 5) {
+    for (float y = 90; y < 280; y += 5) {
         click(gui, panel, {150, y});
         if (seen.empty() || seen.back() != context.workspace.point[0])
             seen.push_back(context.workspace.point[0]);
@@ -336,7 +336,7 @@ TEST(Diagram, IsFilledDraggedAndZoomed) {
     StillStudio studio("logistic");
     StudioContext& context = studio.context;
     HeadlessGui gui({900, 300});
-    context.workspace.strip = StudioContext::Strip::diagram;
+    context.workspace.strip = Strip::diagram;
     context.workspace.diagram = {"r", 2.5, 4};
     const auto strip = [&] { drawOrbitStrip(context); };
     for (int k = 0; k < 400 && (!context.studies.diagram.diagram ||
@@ -382,7 +382,7 @@ TEST(Diagram, OfAPlateOpensWithItsStrip) {
     ASSERT_TRUE(status.ok()) << status.message();
     EXPECT_EQ(studio.context.workspace.views[0].map, "logistic");
     EXPECT_EQ(studio.context.workspace.diagram, (Workspace::Diagram{"r", 2.8, 4}));
-    EXPECT_EQ(studio.context.workspace.strip, StudioContext::Strip::diagram);
+    EXPECT_EQ(studio.context.workspace.strip, Strip::diagram);
 }
 
 TEST(Studies, TravelInALinkAndRefuseWhatIsWrong) {
@@ -418,19 +418,14 @@ TEST(Studies, TravelInALinkAndRefuseWhatIsWrong) {
 TEST(Studies, CommandsAndControlsReachThem) {
     StillStudio studio("henon");
     StudioContext& context = studio.context;
-    const auto run = [&](const char* name) {
-        for (const Command& command : commandsOf(context))
-            if (command.name.find(name) != std::string::npos) return command.run(), true;
-        return false;
-    };
-    EXPECT_TRUE(run("Fixed points and cycles"));
-    EXPECT_TRUE(run("Critical curve"));
-    EXPECT_TRUE(run("Bifurcation diagram"));
+    EXPECT_TRUE(runCommand(context, "cycles"));
+    EXPECT_TRUE(runCommand(context, "critical.curve"));
+    EXPECT_TRUE(runCommand(context, "plot.diagram"));
     EXPECT_TRUE(context.workspace.study.cycles && context.workspace.study.criticalCurve);
-    EXPECT_EQ(context.workspace.strip, StudioContext::Strip::diagram);
-    EXPECT_TRUE(setControl(context, "most period", "7"));
+    EXPECT_EQ(context.workspace.strip, Strip::diagram);
+    EXPECT_TRUE(setControl(context, "study.most_period", "7"));
     EXPECT_EQ(context.workspace.study.mostPeriod, 7);
-    EXPECT_FALSE(setControl(context, "most period", "13"));
+    EXPECT_FALSE(setControl(context, "study.most_period", "13"));
     EXPECT_TRUE(setControl(context, "diagram number", "h.a1"));
     EXPECT_EQ(context.workspace.diagram.number, "h.a1");
     EXPECT_TRUE(setControl(context, "compared", "on"));

@@ -354,7 +354,7 @@ TEST(Versor, IsInTheListOfControls) {
     ASSERT_TRUE(setControl(context, "random seed", "12"));
     ASSERT_TRUE(setControl(context, "draw roots", ""));
     EXPECT_EQ(context.workspace.views[0].lists.at("roots").roots.size(), 10u);
-    ASSERT_TRUE(setControl(context, "show roots", "off"));
+    ASSERT_TRUE(setControl(context, "show_roots", "off"));
     const Expected<std::string> link = workspaceToLink(context.workspace);
     ASSERT_TRUE(link.ok());
     EXPECT_FALSE(workspaceFromLink(*link)->showRoots);

@@ -22,7 +22,7 @@ std::string textOf(Scene scene, Size size) {
     scene.colour = {};
     scene.layers.clear();
     scene.ensemble.count = 1;
-    if (scene.ensemble.set != "solid") scene.iso = 0;
+    if (scene.ensemble.set != AveragedSet::solid) scene.iso = 0;
     std::map<std::string, std::shared_ptr<const Asset>> used;
     for (const auto& [hash, asset] : scene.assets)
         for (const std::string* shape :
@@ -47,8 +47,8 @@ std::uint64_t get(std::span<const unsigned char> bytes, std::size_t at, int size
 
 bool showsEnsemble(const Scene& scene) {
     const Colouring& colour = scene.colour;
-    return scene.ensemble.varies() && colour.rule == "palette" &&
-           (colour.field == "mean_membership" || colour.field == "standard_error");
+    return scene.ensemble.varies() && colour.rule == ColourRule::palette &&
+           (colour.field == FieldName::meanMembership || colour.field == FieldName::standardError);
 }
 
 std::string AveragedMap::keyOf(const Scene& scene, Size size) {

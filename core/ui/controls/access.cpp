@@ -6,6 +6,7 @@
 #include "maps/critical.h"
 #include "ui/controls/controls.h"
 #include "ui/session/context.h"
+#include "ui/session/values.h"
 
 namespace versorium {
 namespace {
@@ -26,11 +27,11 @@ void takeWholes(StudioContext& context, const Workspace& wanted) {
         const SliceSpec& other = wanted.views[k].slice;
         if (slice.axes != other.axes || slice.centre.size() != other.centre.size()) continue;
         for (std::size_t j = 0; j < slice.centre.size(); ++j)
-            if (open(j == 0 ? "centre0" : "centre1")) {
+            if (open(j == 0 ? "slice.center[0]" : "slice.center[1]")) {
                 slice.centre[j] = other.centre[j];
                 slice.centreLow[j] = other.centreLow[j];
             }
-        if (open("height")) slice.height = other.height;
+        if (open("slice.height")) slice.height = other.height;
     }
     if (wanted.views.size() == now.views.size()) now.focused = wanted.focused;
     now.maximised = wanted.maximised;
@@ -40,36 +41,8 @@ void takeWholes(StudioContext& context, const Workspace& wanted) {
 
 }  // namespace
 
-bool isHarmless(const std::string& command) {
-    constexpr const char* kHarmless[] = {
-        trLater("Undo"),
-        trLater("Redo"),
-        trLater("Home"),
-        trLater("Zoom in"),
-        trLater("Zoom out"),
-        trLater("Back to the place before"),
-        trLater("Forward again"),
-        trLater("Fill the window with the marked view, or not"),
-        trLater("Fill the screen, or not"),
-        trLater("One step on along the orbit"),
-        trLater("One step back along the orbit"),
-        trLater("The orbit as a time series"),
-        trLater("The orbit as a web, where the map has a real line"),
-        trLater("Bifurcation diagram: the attractor against one parameter"),
-        trLater("Dark, light or projector colours"),
-        trLater("Lessons, or none"),
-        trLater("Lesson: next step"),
-        trLater("Lesson: step before"),
-        trLater("Lesson: reset the step"),
-        trLater("The list of keys")};
-    return command.starts_with("Language: ") ||
-           std::any_of(std::begin(kHarmless), std::end(kHarmless),
-                       [&](const char* one) { return command == one; });
-}
-
 bool namesControl(const MapInfo& info, const std::string& name, const std::string& id) {
-    if (name == id) return true;
-    if (name != "point") return id.starts_with(name + ".") || id.starts_with(name + "[");
+    if (name != "point") return namesValue(name, id);
     for (int k = 0; k < dimensionOf(info.algebra); ++k)
         if (stateComponent(info, k) == id) return true;
     return false;

@@ -21,10 +21,6 @@ Access accessOf(const StudioContext& context, const std::string& id);
 // Whether anything is locked or hidden.
 bool isRestricted(const StudioContext& context);
 
-// Whether a command may be had where things are locked: it changes nothing, or only what a lock
-// watches over.
-bool isHarmless(const std::string& command);
-
 // Follows a link: its lesson or view, language, theme and locks. ErrorKind::data, and everything
 // stays, where it cannot.
 Status followTeacherLink(StudioContext& context, const TeacherLink& link);

@@ -7,6 +7,7 @@
 #include "plate/plate_picture.h"
 #include "render/movie.h"
 #include "ui/controls/access.h"
+#include "ui/controls/commands.h"
 #include "ui/marks/root_marks.h"
 #include "ui/session/context.h"
 #include "ui/session/ensemble_change.h"
@@ -19,6 +20,13 @@
 
 namespace versorium {
 namespace {
+
+// What may be had where things are locked: it changes nothing, or only what a lock watches over.
+constexpr const char* kHarmless[] = {
+    "undo",       "redo",         "view.home",     "view.zoom.in", "view.zoom.out",
+    "view.back",  "view.forward", "view.maximise", "fullscreen",   "orbit.forward",
+    "orbit.back", "plot.series",  "plot.web",      "plot.diagram", "theme.next",
+    "lessons",    "lesson.next",  "lesson.back",   "lesson.reset", "keys"};
 
 constexpr double kAnimationStep = 1.0 / 120;  // rounds
 
@@ -88,109 +96,204 @@ std::vector<Command> commandsOf(StudioContext& context) {
     StudioContext* c = &context;
     const auto focused = [c] { return c->workspace.focused; };
     std::vector<Command> all = {
-        {"Undo", "Ctrl Z", [c] { c->undo(); }},
-        {"Redo", "Shift Ctrl Z", [c] { c->redo(); }},
-        {"Find a map, a preset or a command", "Ctrl K", [c] { c->searchOpen = true; }},
-        {"Open a scene, a picture, a mesh, an image or a palette", "Ctrl O",
+        {"undo", trLater("Undo"), {"Z", true}, [c] { c->undo(); }},
+        {"redo", trLater("Redo"), {"Z", true, true}, [c] { c->redo(); }},
+        {"find",
+         trLater("Find a map, a preset or a command"),
+         {"K", true},
+         [c] { c->searchOpen = true; }},
+        {"open",
+         trLater("Open a scene, a picture, a mesh, an image or a palette"),
+         {"O", true},
          [c] { c->chooseFile(); }},
-        {"Open what is on the clipboard", "Ctrl V", [c] { c->paste(); }},
-        {"Presets and recent scenes as pictures", "Ctrl G", [c] { c->galleryOpen = true; }},
-        {"Export a picture or a plate", "Ctrl E", [c] { c->exportOpen = true; }},
-        {"Copy the marked view as an image", "Ctrl I", [c] { c->copyImage(); }},
-        {"Copy a link to what is shown", "Ctrl L", [c] { c->copyLink(); }},
-        {"Save the scene as a file", "Ctrl S", [c] { c->saveScene(); }},
-        {"Home", "Home", [c, focused] { c->home(focused()); }},
-        {"Back to the place before", "Backspace", [c, focused] { c->revisit(focused(), -1); }},
-        {"Forward again", "Shift Backspace", [c, focused] { c->revisit(focused(), 1); }},
-        {"Zoom in", "+",
+        {"paste", trLater("Open what is on the clipboard"), {"V", true}, [c] { c->paste(); }},
+        {"gallery",
+         trLater("Presets and recent scenes as pictures"),
+         {"G", true},
+         [c] { c->galleryOpen = true; }},
+        {"export.dialog",
+         trLater("Export a picture or a plate"),
+         {"E", true},
+         [c] { c->exportOpen = true; }},
+        {"copy.image",
+         trLater("Copy the marked view as an image"),
+         {"I", true},
+         [c] { c->copyImage(); }},
+        {"copy.link", trLater("Copy a link to what is shown"), {"L", true}, [c] { c->copyLink(); }},
+        {"save", trLater("Save the scene as a file"), {"S", true}, [c] { c->saveScene(); }},
+        {"view.home", trLater("Home"), {"Home"}, [c, focused] { c->home(focused()); }},
+        {"view.back",
+         trLater("Back to the place before"),
+         {"Backspace"},
+         [c, focused] { c->revisit(focused(), -1); }},
+        {"view.forward",
+         trLater("Forward again"),
+         {"Backspace", false, true},
+         [c, focused] { c->revisit(focused(), 1); }},
+        {"view.zoom.in",
+         trLater("Zoom in"),
+         {"+"},
          [c, focused] {
              const auto& centre = c->workspace.view().slice.centre;
              c->zoom(focused(), 0.8, centre[0], centre.size() > 1 ? centre[1] : 0, true);
          }},
-        {"Zoom out", "-",
+        {"view.zoom.out",
+         trLater("Zoom out"),
+         {"-"},
          [c, focused] {
              const auto& centre = c->workspace.view().slice.centre;
              c->zoom(focused(), 1.25, centre[0], centre.size() > 1 ? centre[1] : 0, true);
          }},
-        {"Fill the window with the marked view, or not", "F",
+        {"view.maximise",
+         trLater("Fill the window with the marked view, or not"),
+         {"F"},
          [c] {
              c->workspace.maximised = !c->workspace.maximised;
              c->touch();
          }},
-        {"Fill the screen, or not", "Shift F",
+        {"fullscreen",
+         trLater("Fill the screen, or not"),
+         {"F", false, true},
          [c] {
              if (!c->host.toggleFullscreen())
                  c->say("The screen cannot be filled from here: the desktop's own keys may do it");
          }},
-        {"One view", "", [c] { setViewCount(c->workspace, 1), c->touch(); }},
-        {"Two views", "", [c] { setViewCount(c->workspace, 2), c->touch(); }},
-        {"Four views", "", [c] { setViewCount(c->workspace, 4), c->touch(); }},
-        {"Analysis: one set of parameters, and the starting points of four places in it", "N",
+        {"views.one", trLater("One view"), {}, [c] { setViewCount(c->workspace, 1), c->touch(); }},
+        {"views.two", trLater("Two views"), {}, [c] { setViewCount(c->workspace, 2), c->touch(); }},
+        {"views.four",
+         trLater("Four views"),
+         {},
+         [c] { setViewCount(c->workspace, 4), c->touch(); }},
+        {"views.analysis",
+         trLater("Analysis: one set of parameters, and the starting points of four places in it"),
+         {"N"},
          [c] {
              if (!setAnalysis(c->workspace))
                  return c->say("This map has no two parameters that could be the axes of a set");
              c->touch();
          }},
-        {"Bands beside smooth colours: A eqs 14 and 15", "",
+        {"views.bands",
+         trLater("Bands beside smooth colours: A eqs 14 and 15"),
+         {},
          [c] {
              Scene scene = c->workspace.view();
              setViewCount(c->workspace, 2);
-             scene.colour.rule = "gradient";
-             scene.colour.smoothing = "none";
+             scene.colour.rule = ColourRule::gradient;
+             scene.colour.smoothing = Smoothing::none;
              c->workspace.views[0] = scene;
-             scene.colour.smoothing = "ratio";
+             scene.colour.smoothing = Smoothing::ratio;
              c->workspace.views[1] = std::move(scene);
              c->touch();
          }},
-        {"One step on along the orbit", ".", [c] { c->stepOrbit(1); }},
-        {"One step back along the orbit", ",", [c] { c->stepOrbit(-1); }},
-        {"Arrows from points x to f(x), or none", "A",
+        {"orbit.forward", trLater("One step on along the orbit"), {"."}, [c] { c->stepOrbit(1); }},
+        {"orbit.back", trLater("One step back along the orbit"), {","}, [c] { c->stepOrbit(-1); }},
+        {"arrows",
+         trLater("Arrows from points x to f(x), or none"),
+         {"A"},
          [c] {
              c->workspace.arrows = !c->workspace.arrows;
              c->touch();
          }},
-        {"The orbit as a time series", "", [c] { c->show(StudioContext::Strip::series); }},
-        {"The orbit as a web, where the map has a real line", "",
-         [c] { c->show(StudioContext::Strip::web); }},
-        {"Bifurcation diagram: the attractor against one parameter", "",
-         [c] { c->show(StudioContext::Strip::diagram); }},
-        {"Fixed points and cycles, or none", "",
+        {"plot.series", trLater("The orbit as a time series"), {}, [c] { c->show(Strip::series); }},
+        {"plot.web",
+         trLater("The orbit as a web, where the map has a real line"),
+         {},
+         [c] { c->show(Strip::web); }},
+        {"plot.diagram",
+         trLater("Bifurcation diagram: the attractor against one parameter"),
+         {},
+         [c] { c->show(Strip::diagram); }},
+        {"cycles",
+         trLater("Fixed points and cycles, or none"),
+         {},
          [c] { c->workspace.study.cycles = !c->workspace.study.cycles, c->touch(); }},
-        {"Manifolds of saddles, or none", "",
+        {"manifolds",
+         trLater("Manifolds of saddles, or none"),
+         {},
          [c] {
              c->workspace.study.manifolds = !c->workspace.study.manifolds;
              c->workspace.study.cycles |= c->workspace.study.manifolds;
              c->touch();
          }},
-        {"Critical curve det J = 0, or none", "C",
+        {"critical.curve",
+         trLater("Critical curve det J = 0, or none"),
+         {"C"},
          [c] { c->workspace.study.criticalCurve = !c->workspace.study.criticalCurve, c->touch(); }},
-        {"Roots and poles in the views, or none", "V",
+        {"roots.show",
+         trLater("Roots and poles in the views, or none"),
+         {"V"},
          [c] { c->workspace.showRoots = !c->workspace.showRoots, c->touch(); }},
-        {"Add a root of the versor at the orbit's point", "", [c] { addRootAtPoint(*c); }},
-        {"Take the chosen root away", "Delete", [c] { removeChosenRoot(*c); }},
-        {"Versor d from the product over its roots", "",
+        {"roots.add",
+         trLater("Add a root of the versor at the orbit's point"),
+         {},
+         [c] { addRootAtPoint(*c); }},
+        {"roots.remove",
+         trLater("Take the chosen root away"),
+         {"Delete"},
+         [c] {
+             if (c->circles.chosen >= 0)
+                 removeCircle(*c, c->circles.chosen);
+             else
+                 removeChosenRoot(*c);
+         },
+         [c] {
+             // Stops of a palette are taken away by the same key, with the pointer over them.
+             return c->probe.view >= 0 &&
+                    (c->circles.chosen >= 0 || isRoot(c->workspace, c->versor.chosen));
+         }},
+        {"versor.product",
+         trLater("Versor d from the product over its roots"),
+         {},
          [c] { takeRootSum(c->workspace, false), c->touch(); }},
-        {"Versor d from the sum over its roots", "",
+        {"versor.sum",
+         trLater("Versor d from the sum over its roots"),
+         {},
          [c] { takeRootSum(c->workspace, true), c->touch(); }},
-        {"Candidates for the versor d: a sheet to pick from", "S",
+        {"versor.candidates",
+         trLater("Candidates for the versor d: a sheet to pick from"),
+         {"S"},
          [c] { openContactSheet(*c, c->versor.draw.seed); }},
-        {"Roots at random: the next seed", "Shift S",
+        {"roots.random",
+         trLater("Roots at random: the next seed"),
+         {"S", false, true},
          [c] { drawRoots(*c, c->versor.draw.seed == 2147483647 ? 0 : c->versor.draw.seed + 1); }},
-        {"Drop a circle around 0, through the pointer or the orbit's point", "O",
+        {"circles.drop",
+         trLater("Drop a circle around 0, through the pointer or the orbit's point"),
+         {"O"},
          [c] { dropCircle(*c); }},
-        {"Take the circles away", "",
+        {"circles.clear",
+         trLater("Take the circles away"),
+         {},
          [c] { c->workspace.circles.clear(), c->circles.chosen = -1, c->touch(); }},
-        {"Basins: where capture or escape is certain, or none", "B",
+        {"basins",
+         trLater("Basins: where capture or escape is certain, or none"),
+         {"B"},
          [c] { c->workspace.basins = !c->workspace.basins, c->touch(); }},
-        {"The same pictures as a complex map", "", [c] { showAsComplexMap(*c); }},
-        {"The same pictures as a planar system", "", [c] { showAsPlanarSystem(*c); }},
-        {"Draw the outline of a shape", "D", [c] { chooseTool(*c, Drawing::Tool::outline); }},
-        {"Paint α", "", [c] { chooseTool(*c, Drawing::Tool::alpha); }},
-        {"Paint β", "", [c] { chooseTool(*c, Drawing::Tool::beta); }},
-        {"Modulus, versor, log-modulus and members side by side: S Fig 2", "M",
+        {"as.complex",
+         trLater("The same pictures as a complex map"),
+         {},
+         [c] { showAsComplexMap(*c); }},
+        {"as.planar",
+         trLater("The same pictures as a planar system"),
+         {},
+         [c] { showAsPlanarSystem(*c); }},
+        {"draw.outline",
+         trLater("Draw the outline of a shape"),
+         {"D"},
+         [c] { chooseTool(*c, Drawing::Tool::outline); }},
+        {"paint.alpha", trLater("Paint α"), {}, [c] { chooseTool(*c, Drawing::Tool::alpha); }},
+        {"paint.beta", trLater("Paint β"), {}, [c] { chooseTool(*c, Drawing::Tool::beta); }},
+        {"views.modulus",
+         trLater("Modulus, versor, log-modulus and members side by side: S Fig 2"),
+         {"M"},
          [c] { showModulusAndVersor(*c); }},
-        {"S eq 2 as it is printed, φ + β, beside φ − β", "", [c] { showAsPrinted(*c); }},
-        {"Play or pause the animation", "Space",
+        {"views.printed",
+         trLater("S eq 2 as it is printed, φ + β, beside φ − β"),
+         {},
+         [c] { showAsPrinted(*c); }},
+        {"animation.play",
+         trLater("Play or pause the animation"),
+         {"Space"},
          [c] {
              if (c->animation.number.empty())
                  c->say("Choose a number first: the triangle beside it");
@@ -198,7 +301,9 @@ std::vector<Command> commandsOf(StudioContext& context) {
                  c->animation.running = !c->animation.running;
              c->host.wake();
          }},
-        {"One step of the animation", "Shift Space",
+        {"animation.step",
+         trLater("One step of the animation"),
+         {"Space", false, true},
          [c] {
              c->animation.running = false;
              if (c->animation.number.empty())
@@ -206,119 +311,121 @@ std::vector<Command> commandsOf(StudioContext& context) {
              else
                  c->advanceAnimation(kAnimationStep);
          }},
-        {"Record what is moved, or stop recording", "R", [c] { c->record(!c->player.recording); }},
-        {"Play the motion, or pause it", "Shift R", [c] { c->play(!c->player.playing); }},
-        {"Set a key frame of the motion here", "K", [c] { c->setKey(); }},
-        {"Take the chosen key frame away", "", [c] { c->removeKey(); }},
-        {"Save the motion as a file", "", [c] { c->saveMotion(); }},
-        {"Take the motion away", "",
+        {"motion.record",
+         trLater("Record what is moved, or stop recording"),
+         {"R"},
+         [c] { c->record(!c->player.recording); }},
+        {"motion.play",
+         trLater("Play the motion, or pause it"),
+         {"R", false, true},
+         [c] { c->play(!c->player.playing); }},
+        {"motion.key.set",
+         trLater("Set a key frame of the motion here"),
+         {"K"},
+         [c] { c->setKey(); }},
+        {"motion.key.remove",
+         trLater("Take the chosen key frame away"),
+         {},
+         [c] { c->removeKey(); }},
+        {"motion.save", trLater("Save the motion as a file"), {}, [c] { c->saveMotion(); }},
+        {"motion.clear",
+         trLater("Take the motion away"),
+         {},
          [c] {
              c->player = {};
              c->workspace.motion = {};
              c->touch();
          }},
-        {"Take the pins away", "", [c] { c->workspace.pins.clear(), c->touch(); }},
-        {"Next palette", "P", [c] { nextPaletteOf(*c); }},
-        {"Dark, light or projector colours", "T",
+        {"pins.clear",
+         trLater("Take the pins away"),
+         {},
+         [c] { c->workspace.pins.clear(), c->touch(); }},
+        {"palette.next", trLater("Next palette"), {"P"}, [c] { nextPaletteOf(*c); }},
+        {"theme.next",
+         trLater("Dark, light or projector colours"),
+         {"T"},
          [c] {
              c->theme = (c->theme + 1) % themes().size();
              c->host.store("theme", themes()[c->theme].name);
              c->fontsChanged = true;
              c->host.wake();
          }},
-        {"Who draws: automatic, graphics processor or processor", "G", [c] { c->nextRenderer(); }},
-        {"Lessons, or none", "L",
+        {"renderer.next",
+         trLater("Who draws: automatic, graphics processor or processor"),
+         {"G"},
+         [c] { c->nextRenderer(); }},
+        {"lessons",
+         trLater("Lessons, or none"),
+         {"L"},
          [c] {
              c->lessons.open = !c->lessons.open;
              c->host.wake();
          }},
-        {"Lesson: next step", "Page Down",
+        {"lesson.next",
+         trLater("Lesson: next step"),
+         {"Page Down"},
          [c] {
              if (c->lessons.now) goToStep(*c, c->lessons.now->session.at() + 1);
          }},
-        {"Lesson: step before", "Page Up",
+        {"lesson.back",
+         trLater("Lesson: step before"),
+         {"Page Up"},
          [c] {
              if (c->lessons.now && c->lessons.now->session.at() > 0)
                  goToStep(*c, c->lessons.now->session.at() - 1);
          }},
-        {"Lesson: reset the step", "", [c] { resetStep(*c); }},
-        {"A teacher's link to this lesson or view", "", [c] { openTeacherDialog(*c); }},
-        {"The list of keys", "?", [c] { c->keysOpen = !c->keysOpen; }},
+        {"lesson.reset", trLater("Lesson: reset the step"), {}, [c] { resetStep(*c); }},
+        {"teacher.link",
+         trLater("A teacher's link to this lesson or view"),
+         {},
+         [c] { openTeacherDialog(*c); }},
+        {"keys", trLater("The list of keys"), {"?"}, [c] { c->keysOpen = !c->keysOpen; }},
     };
     for (Command& command : ensembleCommands(context)) all.push_back(std::move(command));
     for (int k = 0; k < kMostViews; ++k)
-        all.push_back({"Mark view " + std::to_string(k + 1), std::to_string(k + 1),
+        all.push_back({"view.focus." + std::to_string(k + 1),
+                       tr("Mark view {1}", {std::to_string(k + 1)}),
+                       {std::to_string(k + 1)},
                        [c, k] {
                            if (k < static_cast<int>(c->workspace.views.size())) c->mark(k);
-                       },
-                       tr("Mark view {1}", {std::to_string(k + 1)})});
+                       }});
     for (const Language& language : languages())
-        all.push_back({"Language: " + language.name, "", [c, id = language.id] { c->speak(id); },
-                       tr("Language: {1}", {language.name})});
+        all.push_back({"language." + language.id,
+                       tr("Language: {1}", {language.name}),
+                       {},
+                       [c, id = language.id] { c->speak(id); }});
+    for (Command& command : all)
+        command.harmless = command.id.starts_with("language.") ||
+                           std::any_of(std::begin(kHarmless), std::end(kHarmless),
+                                       [&](const char* id) { return command.id == id; });
     if (isRestricted(context))
-        std::erase_if(all, [](const Command& command) { return !isHarmless(command.name); });
+        std::erase_if(all, [](const Command& command) { return !command.harmless; });
     return all;
+}
+
+bool runCommand(StudioContext& context, std::string_view id) {
+    for (const Command& command : commandsOf(context))
+        if (command.id == id) {
+            if (command.when && !command.when()) return false;
+            command.run();
+            return true;
+        }
+    return false;
 }
 
 void handleKeys(StudioContext& context) {
     if (ImGui::GetIO().WantTextInput) return;
-    const auto run = [&](const char* keys) {
-        for (const Command& entry : commandsOf(context))
-            if (entry.keys == keys) return entry.run();
-    };
-    // With the command key, Ctrl or on Apple's machines ⌘, or without it.
-    const auto pressed = [](ImGuiKey key, bool command, bool repeat = false) {
-        return ImGui::IsKeyPressed(key, repeat) &&
-               ((modifiersOf(key) & (ImGuiMod_Ctrl | ImGuiMod_Super)) != 0) == command;
-    };
-    const auto shifted = [](ImGuiKey key) { return (modifiersOf(key) & ImGuiMod_Shift) != 0; };
-    if (pressed(ImGuiKey_Z, true, true)) run(shifted(ImGuiKey_Z) ? "Shift Ctrl Z" : "Ctrl Z");
-    if (pressed(ImGuiKey_Y, true, true)) run("Shift Ctrl Z");
-    constexpr std::pair<ImGuiKey, const char*> commands[] = {
-        {ImGuiKey_K, "Ctrl K"}, {ImGuiKey_G, "Ctrl G"}, {ImGuiKey_E, "Ctrl E"},
-        {ImGuiKey_I, "Ctrl I"}, {ImGuiKey_L, "Ctrl L"}, {ImGuiKey_O, "Ctrl O"},
-        {ImGuiKey_V, "Ctrl V"}, {ImGuiKey_S, "Ctrl S"}};
-    for (const auto& [key, name] : commands)
-        if (pressed(key, true)) run(name);
+    // Chords with the command key hold everywhere; a dialog or a tool takes the others.
+    std::vector<Command> pressed;
+    for (Command& command : commandsOf(context))
+        if (command.chord && isPressed(command.chord)) pressed.push_back(std::move(command));
+    const bool redone = isPressed({"Y", true});
+    for (const Command& command : pressed)
+        if (command.chord.command && (!command.when || command.when())) return command.run();
+    if (redone) return void(runCommand(context, "redo"));
     if (context.dialogOpen() || drawingKeys(context)) return;
-    if (pressed(ImGuiKey_D, false)) run("D");
-    if (pressed(ImGuiKey_Home, false)) run("Home");
-    if (pressed(ImGuiKey_Backspace, false))
-        run(shifted(ImGuiKey_Backspace) ? "Shift Backspace" : "Backspace");
-    if (pressed(ImGuiKey_A, false)) run("A");
-    if (pressed(ImGuiKey_B, false)) run("B");
-    if (pressed(ImGuiKey_C, false)) run("C");
-    if (pressed(ImGuiKey_O, false)) run("O");
-    if (pressed(ImGuiKey_V, false)) run("V");
-    // Stops of a palette are taken away by the same key, with the pointer over them.
-    if (pressed(ImGuiKey_Delete, false) && context.probe.view >= 0) {
-        if (context.circles.chosen >= 0)
-            removeCircle(context, context.circles.chosen);
-        else if (isRoot(context.workspace, context.versor.chosen))
-            removeChosenRoot(context);
-    }
-    if (pressed(ImGuiKey_F, false)) run(shifted(ImGuiKey_F) ? "Shift F" : "F");
-    if (pressed(ImGuiKey_G, false)) run("G");
-    if (pressed(ImGuiKey_M, false)) run("M");
-    if (pressed(ImGuiKey_N, false)) run("N");
-    if (pressed(ImGuiKey_P, false)) run("P");
-    if (pressed(ImGuiKey_R, false)) run(shifted(ImGuiKey_R) ? "Shift R" : "R");
-    if (pressed(ImGuiKey_K, false)) run("K");
-    if (pressed(ImGuiKey_L, false)) run("L");
-    if (pressed(ImGuiKey_PageDown, false)) run("Page Down");
-    if (pressed(ImGuiKey_PageUp, false)) run("Page Up");
-    if (pressed(ImGuiKey_S, false)) run(shifted(ImGuiKey_S) ? "Shift S" : "S");
-    if (pressed(ImGuiKey_T, false)) run("T");
-    if (pressed(ImGuiKey_Space, false)) run(shifted(ImGuiKey_Space) ? "Shift Space" : "Space");
-    if (pressed(ImGuiKey_Period, false, true)) run(".");
-    if (pressed(ImGuiKey_Comma, false, true)) run(",");
-    if (pressed(ImGuiKey_Equal, false, true) || pressed(ImGuiKey_KeypadAdd, false, true)) run("+");
-    if (pressed(ImGuiKey_Minus, false, true) || pressed(ImGuiKey_KeypadSubtract, false, true))
-        run("-");
-    if (pressed(ImGuiKey_Slash, false) && shifted(ImGuiKey_Slash)) run("?");
-    for (int k = 0; k < kMostViews; ++k)
-        if (pressed(static_cast<ImGuiKey>(ImGuiKey_1 + k), false))
-            run(std::to_string(k + 1).c_str());
+    for (const Command& command : pressed)
+        if (!command.chord.command && (!command.when || command.when())) command.run();
     nudge(context);
 }
 
@@ -326,7 +433,9 @@ namespace {
 
 // An entry of the search about something that has a name, which is found by both languages.
 Command said(const char* sentence, const std::string& name, std::function<void()> run) {
-    return {name, "", std::move(run), tr(sentence, {tr(std::string_view(name))})};
+    Command command{"", tr(sentence, {tr(std::string_view(name))}), {}, std::move(run)};
+    command.also = name;
+    return command;
 }
 
 // What can be found: all that opens something, and all commands.
@@ -414,14 +523,14 @@ void drawSearch(StudioContext& context) {
     ImGui::BeginChild("entries");
     for (const Command& entry : entries) {
         const std::string title = entry.title();
-        if (!matches(title + " " + entry.name, question)) continue;
+        if (!matches(title + " " + entry.label + " " + entry.also, question)) continue;
         ImGui::PushID(&entry);
         const bool picked = ImGui::Selectable(title.c_str(), first && question[0] != 0);
         explain("found");
         ImGui::PopID();
-        if (!entry.keys.empty()) {
+        if (entry.chord) {
             ImGui::SameLine(ImGui::GetContentRegionAvail().x - ImGui::GetFontSize() * 6);
-            ImGui::TextDisabled("%s", tr(entry.keys.c_str()));
+            ImGui::TextDisabled("%s", textOf(entry.chord).c_str());
         }
         if (picked || (enter && first)) chosen = &entry;
         first = false;
@@ -450,7 +559,7 @@ void drawKeys(StudioContext& context) {
                 ImGui::TextUnformatted(tr(name));
             };
             for (const Command& command : commandsOf(context))
-                if (!command.keys.empty()) row(command.keys.c_str(), command.title().c_str());
+                if (command.chord) row(textOf(command.chord).c_str(), command.title().c_str());
             row("arrows", "Pan; with Shift: move the point by a pixel");
             row("drag, wheel", "Pan, zoom at the pointer");
             row("right drag", "Zoom to a box");

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ui/controls/controls.h"
+#include "ui/session/values.h"
 
 namespace versorium {
 
@@ -58,6 +59,11 @@ class ControlList {
         add({id, group_, said(label), ControlKind::choice, value, 0, options, std::move(shown)},
             change);
     }
+    template <Worded E>
+    void word(const std::string& id, const std::string& label, E& value) {
+        choice(id, label, std::string(wordOf(value)), wordsOf<E>(),
+               [&value](const std::string& wanted) { value = *fromWord<E>(wanted); });
+    }
     void toggle(const std::string& id, const std::string& label, bool value,
                 std::function<void(bool)> set) {
         const auto change = [=](const std::string& wanted) {
@@ -101,6 +107,14 @@ class ControlList {
         };
         entries.push_back({{id, group_, said(label), ControlKind::command, keys, 0, {}}, change});
     }
+
+    // A value of the tables: of the focused view's scene or of the workspace.
+    void value(const SceneProperty& property);
+    void value(const WorkspaceProperty& property);
+    // Those that apply and matter now, by their paths.
+    void values(std::initializer_list<const char*> paths);
+    // All of a group of the scene.
+    void group(const std::string& path);
 
   private:
     StudioContext& context_;

@@ -74,35 +74,15 @@ void collectMap(StudioContext& context, ControlList& all) {
     });
 }
 
-// The range of a parameter's slider, as in the inspector.
-std::array<double, 2> sliderOf(const Workspace& workspace, const ParameterInfo& parameter,
-                               const std::string& name) {
-    if (const auto own = workspace.ranges.find(name); own != workspace.ranges.end())
-        return own->second;
-    if (widthOf(parameter.kind) == 1) return {parameter.low, parameter.high};
-    return {std::max(parameter.low, -2.0), std::min(parameter.high, 2.0)};
-}
-
 void collectParameters(StudioContext& context, ControlList& all) {
     all.begin("Parameters");
     StudioContext* c = &context;
     const MapInfo& info = mapOf(context.workspace.views[0]).info;
-    int component = 0;
-    for (const ParameterInfo& parameter : info.parameters) {
-        const bool whole = parameter.kind == ParameterKind::whole;
-        for (int k = 0; k < widthOf(parameter.kind); ++k) {
-            const std::string name = parameterComponent(info, component++);
-            all.number(
-                name, name, sharedNumber(context.workspace, name),
-                whole ? 1 : (parameter.high - parameter.low) / 400, -1e6, 1e6,
-                [c, name, whole](double value) {
-                    setSharedNumber(c->workspace, name, whole ? std::round(value) : value);
-                },
-                sliderOf(context.workspace, parameter, name));
-        }
-    }
+    std::vector<std::string> names;
+    for (int k = 0; k < parameterSize(info); ++k) names.push_back(parameterComponent(info, k));
+    for (const std::string& name : names) all.value(*propertyNamed(context.workspace.view(), name));
     std::vector<std::string> numbers{"none"};
-    for (int k = 0; k < component; ++k) numbers.push_back(parameterComponent(info, k));
+    numbers.insert(numbers.end(), names.begin(), names.end());
     std::vector<std::string> shown = numbers;
     shown[0] = tr("none");
     const StudioContext::Animation& moving = context.animation;
@@ -131,34 +111,11 @@ void collectParameters(StudioContext& context, ControlList& all) {
 
 void collectOrbit(StudioContext& context, ControlList& all) {
     all.begin("Orbit");
-    StudioContext* c = &context;
     const Scene& scene = context.workspace.view();
     const MapKernels& map = mapOf(scene);
-    for (int k = 0; k < map.dimension; ++k) {
-        const std::string name = stateComponent(map.info, k);
-        all.number(
-            name, tr("starting point {1}", {name}), sharedNumber(context.workspace, name), 0.01,
-            -1e6, 1e6, [c, name](double value) { setSharedNumber(c->workspace, name, value); },
-            map.dimension == 1 ? std::array<double, 2>{0, 1} : std::array<double, 2>{-2, 2});
-    }
-    all.number("marked step", "step that is marked", context.workspace.orbitAt, 1, 0,
-               kMostOrbitSteps,
-               [c](double value) { c->stepOrbit(static_cast<int>(value) - c->workspace.orbitAt); },
-               {0, static_cast<double>(std::max(1, context.workspace.orbitSteps))});
-    all.toggle("arrows", "arrows from points to their images", context.workspace.arrows,
-               [c](bool on) { c->workspace.arrows = on; });
-    all.number("steps", "steps that are drawn", context.workspace.orbitSteps, 1, 0, 1000,
-               [c](double value) { c->workspace.orbitSteps = static_cast<int>(value); });
-    all.number("iterations", "max iterations N", scene.iterations, 50, 1, 1000000,
-               [c](double value) { c->workspace.view().iterations = static_cast<int>(value); },
-               {1, 1000});
-    const double radius = scene.escapeRadius.value_or(automaticRadius(scene));
-    if (std::isfinite(radius))
-        all.number("radius", "escape radius", radius, 0.5, 1e-6, 1e6,
-                   [c](double value) { c->workspace.view().escapeRadius = value; });
-    all.choice("escape test", "which points of an orbit may escape", scene.escapeTest,
-               {"first", "last"},
-               [c](const std::string& word) { c->workspace.view().escapeTest = word; });
+    for (int k = 0; k < map.dimension; ++k)
+        all.value(*propertyNamed(scene, stateComponent(map.info, k)));
+    all.values({"orbit_at", "arrows", "orbit_steps", "iterations", "escape_radius", "escape_test"});
 }
 
 void collectSlice(StudioContext& context, ControlList& all) {
@@ -171,21 +128,13 @@ void collectSlice(StudioContext& context, ControlList& all) {
     for (std::size_t k = 0; k < axes; ++k) {
         const auto& terms = scene.slice.axes[k].terms;
         all.choice(
-            "axis" + std::to_string(k), k == 0 ? "axis to the right" : "axis upwards",
+            "slice.axes[" + std::to_string(k) + "]", k == 0 ? "axis →" : "axis ↑",
             terms.size() == 1 ? terms[0].first : "", names,
             [c, k](const std::string& name) { setAxis(c->workspace, k, name); }, names);
     }
     for (std::size_t k = 0; k < axes; ++k)
-        all.number("centre" + std::to_string(k),
-                   tr("centre, {1}", {scene.slice.axes[k].terms[0].first}), scene.slice.centre[k],
-                   scene.slice.height / 20, -1e6, 1e6, [c, k](double value) {
-                       c->workspace.view().slice.centre[k] = value;
-                       c->workspace.view().slice.centreLow[k] = 0;
-                   });
-    all.number("height", "height that is shown", scene.slice.height, scene.slice.height / 10, 1e-13,
-               1e6, [c](double value) { c->workspace.view().slice.height = value; });
-    all.number("samples", "samples along a pixel", scene.samples, 1, 1, kMostSamples,
-               [c](double value) { c->workspace.view().samples = static_cast<int>(value); });
+        all.values({k == 0 ? "slice.center[0]" : "slice.center[1]"});
+    all.values({"slice.height", "samples"});
     if (hasCriticalPoints(map) && showsParameters(scene))
         all.toggle("critical", "start at the critical point", scene.criticalStart.has_value(),
                    [c](bool on) {
@@ -219,19 +168,9 @@ void collectStudies(StudioContext& context, ControlList& all) {
     StudioContext* c = &context;
     Workspace& workspace = context.workspace;
     const MapKernels& map = mapOf(workspace.views[0]);
-    if (map.dimension == 2)
-        all.toggle("critical curve", "critical curve det J = 0", workspace.study.criticalCurve,
-                   [c](bool on) { c->workspace.study.criticalCurve = on; });
-    if (map.dimension <= 2) {
-        all.toggle("cycles", "fixed points and cycles", workspace.study.cycles,
-                   [c](bool on) { c->workspace.study.cycles = on; });
-        all.number("most period", "period of cycles, at most", workspace.study.mostPeriod, 1, 1,
-                   kMostShownPeriod,
-                   [c](double value) { c->workspace.study.mostPeriod = static_cast<int>(value); });
-    }
-    if (map.dimension == 2)
-        all.toggle("manifolds", "manifolds of saddles", workspace.study.manifolds,
-                   [c](bool on) { c->workspace.study.manifolds = on; });
+    if (map.dimension == 2) all.values({"study.critical_curve"});
+    if (map.dimension <= 2) all.values({"study.cycles", "study.most_period"});
+    if (map.dimension == 2) all.values({"study.manifolds"});
     all.toggle("compared", "second start to compare", !workspace.compared.empty(), [c](bool on) {
         if (on != c->workspace.compared.empty()) return;
         c->workspace.compared = on ? c->workspace.point : std::vector<double>();
@@ -261,52 +200,9 @@ void collectStudies(StudioContext& context, ControlList& all) {
                    });
 }
 
-void collectGradient(ControlList& all, const std::string& name, Gradient& gradient) {
-    all.colour(name + " fast", tr("{1}: colour of the fast", {tr(name.c_str())}), gradient.start);
-    all.colour(name + " slow", tr("{1}: colour of the slow", {tr(name.c_str())}), gradient.finish);
-    all.number(name + " exponent", tr("{1}: colour exponent", {tr(name.c_str())}),
-               gradient.exponent, 0.1, 0.01, 100,
-               [&gradient](double value) { gradient.exponent = value; });
-}
-
-void collectColours(StudioContext& context, ControlList& all) {
+void collectColours(ControlList& all) {
     all.begin("Colours of the marked view");
-    Colouring& colour = context.workspace.view().colour;
-    const auto word = [&](const char* id, const char* label, std::string& value,
-                          const std::vector<std::string>& options) {
-        all.choice(id, label, value, options,
-                   [&value](const std::string& wanted) { value = wanted; });
-    };
-    word("rule", "colour by", colour.rule, {"palette", "gradient", "versor", "phase", "domain"});
-    if (colour.rule == "palette") {
-        std::vector<std::string> fields;
-        for (const FieldInfo& field : allFields())
-            if (field.field != FieldName::versor) fields.emplace_back(field.name);
-        all.choice("field", "field", colour.field, fields, [&colour](const std::string& name) {
-            colour.field = name;
-            colour.range.clear();
-            colour.scale.clear();
-        });
-        const std::string own = trLater("the field's own");
-        all.choice("scale", "scale", colour.scale.empty() ? own : colour.scale,
-                   {own, "linear", "log", "truncated_log", "sqrt", "cyclic"},
-                   [&colour, own](const std::string& name) {
-                       colour.scale = name == own ? std::string() : name;
-                   });
-        all.toggle("interior", "the set in its own colour", colour.interior == "membership",
-                   [&colour](bool on) { colour.interior = on ? "membership" : "none"; });
-    }
-    if (colour.rule == "palette" || colour.rule == "phase" || colour.rule == "domain") {
-        word("palette", "palette", colour.palette, paletteNames());
-        all.toggle("reverse", "reversed", colour.reverse,
-                   [&colour](bool on) { colour.reverse = on; });
-    }
-    if (colour.rule == "gradient") {
-        collectGradient(all, "escaped", colour.escaped);
-        collectGradient(all, "attracted", colour.attracted);
-        word("smoothing", "smoothing", colour.smoothing, {"none", "ratio", "log-log"});
-    }
-    word("outline", "outline", colour.outline, {"none", "membership", "solid"});
+    all.group("colour");
 }
 
 std::vector<ControlEntry> entriesOf(StudioContext& context) {
@@ -318,7 +214,7 @@ std::vector<ControlEntry> entriesOf(StudioContext& context) {
     collectOrbit(context, all);
     collectSlice(context, all);
     collectStudies(context, all);
-    collectColours(context, all);
+    collectColours(all);
     collectEnsemble(context, all);
     collectLayers(context, all);
     collectMotion(context, all);
@@ -406,7 +302,7 @@ std::string describeView(StudioContext& context, int view) {
             shownNumber(scene.slice.height, 3), middle, ring});
     const std::string average = describeEnsemble(context, view);
     if (!average.empty()) text += " " + average;
-    if (context.workspace.strip == StudioContext::Strip::profile && !parameters)
+    if (context.workspace.strip == Strip::profile && !parameters)
         text += " " + describeProfile(context);
     if (!parameters) text += describeCircles(context);
     return text;

@@ -4,6 +4,7 @@
 // the panels do not reach. A page makes controls of its own from it, which the keyboard walks and a
 // screen reader speaks.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace versorium {
 enum class ControlKind { number, choice, toggle, colour, text, command };
 
 struct Control {
-    std::string id;            // stays the same while the map does
+    std::string id;            // a value's path; stays the same in every language
     std::string group, label;  // in the language
     ControlKind kind = ControlKind::command;
     // What it is now: a number, one of the options, "on" or "off", "#rrggbb", a text; the keys
@@ -24,9 +25,18 @@ struct Control {
     std::vector<std::string> options;
     std::vector<std::string> shown = {};  // the options in the language
     double low = 0, high = 0;             // of a number's slider; equal where there is none
+    std::string help = {};
+    std::optional<double> home = {};      // what reset brings back
+    double least = -1e300, most = 1e300;  // that a number may be
+    bool whole = false, logarithmic = false, moves = false;
     bool locked = false;  // by the link that opened the studio (ui/controls/access.h)
 };
 
+// One value of the focused view's scene or of the workspace, by its path; nothing where it does not
+// apply, does not matter now, or is hidden by a teacher's link.
+std::optional<Control> controlOf(StudioContext& context, const std::string& path);
+// Those of a group of the scene ("colour") that matter now.
+std::vector<Control> controlsIn(StudioContext& context, const std::string& group);
 // Without those that a teacher's link hides.
 std::vector<Control> controlsOf(StudioContext& context);
 // Sets a control, or does its command. False where there is none, where it is locked, or where it

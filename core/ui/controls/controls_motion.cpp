@@ -12,23 +12,12 @@ void collectLayers(StudioContext& context, ControlList& all) {
     StudioContext* c = &context;
     Scene& scene = context.workspace.view();
     for (std::size_t k = 0; k < scene.layers.size(); ++k) {
-        Layer& layer = scene.layers[k];
-        const std::string id = "layers[" + std::to_string(k) + "].";
+        const std::string place = "layers[" + std::to_string(k) + "]";
+        const std::string id = place + ".";
+        all.group(place);
         const auto label = [&](const char* what) {
             return tr("image {1}: {2}", {std::to_string(k + 1), tr(what)});
         };
-        const auto number = [&](const char* part, const char* what, double& value, double step,
-                                double low, double high) {
-            all.number(id + part, label(what), value, step, low, high,
-                       [&value](double wanted) { value = wanted; });
-        };
-        number("x", "to the right", layer.x, 0.05, -100, 100);
-        number("y", "up", layer.y, 0.05, -100, 100);
-        number("scale", "size", layer.scale, 0.05, 1e-3, 1000);
-        number("opacity", "opacity", layer.opacity, 0.1, 0, 1);
-        if (layer.sources.size() > 1) number("frame", "frame", layer.frame, 1, -1e9, 1e9);
-        all.toggle(id + "front", label("in front"), layer.front,
-                   [&layer](bool on) { layer.front = on; });
         all.command(id + "remove", label("take it away"), "", [c, k] {
             auto& layers = c->workspace.view().layers;
             layers.erase(layers.begin() + static_cast<std::ptrdiff_t>(k));

@@ -15,36 +15,10 @@ void collectModulation(StudioContext& context, ControlList& all, bool alpha) {
         return alpha ? scene.alphaOverSpace : scene.betaOverSpace;
     };
     const ModulationSpec spec = specOf(context.workspace.view());
-    // False, and said, where the change does not suit.
-    const auto change = [c, specOf](const std::function<void(ModulationSpec&)>& set) {
-        Workspace next = c->workspace;
-        for (Scene& scene : next.views) set(specOf(scene));
-        const Status status = checkModulation(next.view());
-        c->report(status);
-        if (status.ok()) c->workspace = std::move(next);
-        return status.ok();
-    };
-    all.text(id + "shape", tr("{1} differs within this shape", {name}), spec.shape,
-             [c, change](const std::string& text) {
-                 const bool done = change([&](ModulationSpec& each) { each.shape = text; });
-                 if (done) c->touch();
-                 return done;
-             });
-    const auto number = [&](const char* part, const std::string& label, double value, double step,
-                            double ModulationSpec::*member) {
-        all.number(id + part, label, value, step, -kLargestModulated, kLargestModulated,
-                   [change, member](double wanted) {
-                       change([&](ModulationSpec& each) { each.*member = wanted; });
-                   });
-    };
-    if (!spec.shape.empty()) {
-        number("value", tr("{1} within that shape", {name}), spec.value, alpha ? 5 : 0.01,
-               &ModulationSpec::value);
-        number("from", tr("{1} has that value up to this distance", {name}), spec.from, 0.01,
-               &ModulationSpec::from);
-        number("to", tr("{1} is as usual from this distance on", {name}), spec.to, 0.01,
-               &ModulationSpec::to);
-    }
+    all.values({(id + "shape").c_str()});
+    if (!spec.shape.empty())
+        all.values(
+            {(id + "value").c_str(), (id + "between[0]").c_str(), (id + "between[1]").c_str()});
     double& value = alpha ? context.drawing.alpha : context.drawing.beta;
     all.number(id + "brush", tr("{1} of the brush", {name}), value, alpha ? 5 : 0.01,
                -kLargestModulated, kLargestModulated, [&value](double wanted) { value = wanted; });
@@ -71,7 +45,7 @@ void collectShape(StudioContext& context, ControlList& all) {
             if (choice.name == name) return c->report(setShape(*c, choice.source));
     });
     const bool field = mapOf(scene).info.field;
-    all.text("shape", "shape, as a text or corners: polygon(x1, y1, x2, y2, …)",
+    all.text("shape.source", "shape, as a text or corners: polygon(x1, y1, x2, y2, …)",
              field ? scene.shape.source : std::string(), [c, field](const std::string& text) {
                  if (text.empty() && !field) return true;
                  const Status status = setShape(*c, text);

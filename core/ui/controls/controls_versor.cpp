@@ -25,16 +25,8 @@ void collectRoots(StudioContext& context, ControlList& all) {
         for (std::size_t k = 0; k < std::min(kMostListed, list.roots.size()); ++k) {
             const RootRef ref{name, static_cast<int>(k)};
             const std::string id = name + "[" + std::to_string(k) + "].";
-            const auto number = [&](const std::string& part, double value, double step,
-                                    double most) {
-                all.number(id + part, id + part, value, step, -most, most,
-                           [c, number = id + part](double wanted) {
-                               setSharedNumber(c->workspace, number, wanted);
-                           });
-            };
-            for (std::size_t i = 0; i < parts.size(); ++i)
-                number(parts[i], list.roots[k].q[i], 0.05, 1e6);
-            number("power", list.roots[k].power, 1, kLargestRootPower);
+            for (const std::string& part : parts) all.values({(id + part).c_str()});
+            all.values({(id + "power").c_str()});
             all.command(id + "remove", tr("{1}: take it away", {id.substr(0, id.size() - 1)}), "",
                         [c, ref] {
                             c->versor.chosen = ref;
@@ -44,8 +36,7 @@ void collectRoots(StudioContext& context, ControlList& all) {
     }
     all.choice("add root", "add a root or pole at the orbit's point", "", names,
                [c](const std::string& list) { addRootAtPoint(*c, list); });
-    all.toggle("show roots", "roots and poles in the views", workspace.showRoots,
-               [c](bool on) { c->workspace.showRoots = on; });
+    all.values({"show_roots"});
     if (!sumOrProductOf(workspace.views[0].map).empty())
         all.choice("versor from", "versor d from the product or the sum over its roots",
                    isRootSum(workspace.views[0].map) ? "sum" : "product", {"product", "sum"},
@@ -103,23 +94,15 @@ void collectCircles(StudioContext& context, ControlList& all) {
     all.begin("Basins and circles");
     StudioContext* c = &context;
     const Workspace& workspace = context.workspace;
-    all.toggle("basins", "where capture or escape is certain", workspace.basins,
-               [c](bool on) { c->workspace.basins = on; });
+    all.values({"basins"});
     all.command("drop circle", "Drop a circle around 0", "O", [c] { dropCircle(*c); });
     const MapKernels& map = mapOf(workspace.views[0]);
     for (std::size_t k = 0; k < workspace.circles.size(); ++k) {
         const std::string id = "circles[" + std::to_string(k) + "].";
         const std::string number = std::to_string(k + 1);
-        all.number(id + "radius", tr("circle {1}: radius", {number}), workspace.circles[k].radius,
-                   0.05, 1e-12, 1e6,
-                   [c, k](double value) { c->workspace.circles[k].radius = value; });
-        for (int i = 0; i < map.dimension; ++i) {
-            const auto at = static_cast<std::size_t>(i);
-            all.number(id + "centre" + std::to_string(i),
-                       tr("circle {1}: centre {2}", {number, stateComponent(map.info, i)}),
-                       workspace.circles[k].centre[at], 0.05, -1e6, 1e6,
-                       [c, k, at](double value) { c->workspace.circles[k].centre[at] = value; });
-        }
+        all.values({(id + "radius").c_str()});
+        for (int i = 0; i < map.dimension; ++i)
+            all.values({(id + "center[" + std::to_string(i) + "]").c_str()});
         all.command(id + "remove", tr("circle {1}: take it away", {number}), "",
                     [c, k] { removeCircle(*c, static_cast<int>(k)); });
     }

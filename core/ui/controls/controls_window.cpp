@@ -23,8 +23,7 @@ void collectWindow(StudioContext& context, ControlList& all) {
     for (int k = 1; k <= count; ++k) views.push_back(std::to_string(k));
     all.choice("marked", "marked view", std::to_string(workspace.focused + 1), views,
                [c](const std::string& wanted) { c->mark(std::stoi(wanted) - 1); });
-    all.toggle("maximised", "only the marked view", workspace.maximised,
-               [c](bool on) { c->workspace.maximised = on; });
+    all.values({"maximised"});
     std::vector<std::string> names;
     for (const StudioTheme& theme : themes()) names.push_back(theme.name);
     all.choice("theme", "theme", names[context.theme], names, [c, names](const std::string& name) {
@@ -39,13 +38,9 @@ void collectWindow(StudioContext& context, ControlList& all) {
     all.choice(
         "language", "language", languageNow().id, ids, [c](const std::string& id) { c->speak(id); },
         spoken);
-    const auto renderer = static_cast<std::size_t>(context.renderer);
-    all.choice("renderer", "who draws live pictures", kRendererWords[renderer],
-               {kRendererWords.begin(), kRendererWords.end()}, [c](const std::string& wanted) {
-                   const auto* found =
-                       std::find(kRendererWords.begin(), kRendererWords.end(), wanted);
-                   c->choose(static_cast<RendererChoice>(found - kRendererWords.begin()));
-               });
+    all.choice("renderer", "who draws live pictures", std::string(wordOf(context.renderer)),
+               wordsOf<RendererChoice>(),
+               [c](const std::string& wanted) { c->choose(*fromWord<RendererChoice>(wanted)); });
     all.number("export", "pixels wide of an export", context.exporting.width, 100, 16, kMostPixels,
                [c](double value) { c->exporting.width = static_cast<int>(value); });
     all.command("begin export", "Export the marked view now", "", [c] { c->startExport(); });
@@ -73,7 +68,8 @@ void collectLessons(StudioContext& context, ControlList& all) {
 void collectCommands(StudioContext& context, ControlList& all) {
     all.begin("Commands");
     for (Command& command : commandsOf(context))
-        all.command("do " + command.name, command.title(), command.keys, std::move(command.run));
+        all.command("do " + command.id, command.title(), nameOf(command.chord),
+                    std::move(command.run));
 }
 
 }  // namespace versorium

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "ui/panels/value_widgets.h"
 #include "ui/session/context.h"
 #include "ui/session/ensemble_change.h"
 #include "ui/widgets/help.h"
@@ -37,26 +38,6 @@ void beginButtons(StudioContext& context) {
     explain("average number");
 }
 
-bool whole(StudioContext& context, const char* name, const char* label, const char* control,
-           int& value, int low, int high, bool logarithmic = false) {
-    double number = value;
-    if (!numberField(context, std::string("ensemble ") + name, label, number,
-                     {.help = helpOf(control),
-                      .low = static_cast<double>(low),
-                      .high = static_cast<double>(high),
-                      .whole = true,
-                      .logarithmic = logarithmic}))
-        return false;
-    value = static_cast<int>(std::round(number));
-    return true;
-}
-
-bool real(StudioContext& context, const std::string& name, const char* label, const char* control,
-          double& value, double low, double high) {
-    return numberField(context, "ensemble " + name, label, value,
-                       {.help = helpOf(control), .low = low, .high = high, .slider = false});
-}
-
 bool rootControls(StudioContext& context, Scene& scene) {
     const MapInfo& info = mapOf(scene).info;
     if (info.lists.empty()) return false;
@@ -71,57 +52,11 @@ bool rootControls(StudioContext& context, Scene& scene) {
     }
     explain("random roots");
     if (!ensemble.roots) return changed;
-    ImGui::PushID("roots");
-    EnsembleRoots& roots = *ensemble.roots;
-    RandomRoots next = roots.draw;
-    if (info.lists.size() > 1)
-        changed |=
-            choose("list", "ensemble list", roots.list, {info.lists.begin(), info.lists.end()});
-    bool moved = whole(context, "least", "roots, least", "ensemble roots", next.least, 1, 100);
-    if (moved) next.most = std::max(next.least, next.most);
-    if (whole(context, "most", "roots, most", "ensemble roots", next.most, 1, 100)) {
-        next.least = std::min(next.least, next.most);
-        moved = true;
-    }
-    moved |= real(context, "low power", "power, least", "ensemble power", next.lowPower, 0.5, 10);
-    moved |= real(context, "high power", "power, most", "ensemble power", next.highPower, 0.5, 10);
-    moved |= ImGui::Checkbox(tr("whole powers"), &next.wholePowers);
-    explain("ensemble whole");
-    std::string arrangement = kArrangements[static_cast<std::size_t>(next.arrangement)];
-    if (choose("arranged", "ensemble arrangement", arrangement, kArrangements)) {
-        next.arrangement = static_cast<RootArrangement>(
-            std::find(kArrangements.begin(), kArrangements.end(), arrangement) -
-            kArrangements.begin());
-        moved = true;
-    }
-    if (next.arrangement == RootArrangement::clustered) {
-        moved |= whole(context, "clusters", "clusters", "ensemble clusters", next.clusters, 1, 20);
-        moved |= real(context, "cluster radius", "their radius", "ensemble clusters",
-                      next.clusterRadius, 0.01, 0.99);
-    }
-    std::string region = next.ball ? "ball" : "box";
-    if (choose("region", "ensemble region", region, {"box", "ball"})) {
-        next.ball = region == "ball";
-        moved = true;
-    }
     if (info.field) {
-        if (ImGui::Checkbox(tr("in the shape's box"), &roots.shapeBox)) changed = true;
+        if (ImGui::Checkbox(tr("in the shape's box"), &ensemble.roots->shapeBox)) changed = true;
         explain("ensemble box");
     }
-    if (!roots.shapeBox) {
-        const auto dimension = static_cast<std::size_t>(dimensionOf(info.algebra));
-        for (std::size_t k = 0; k < dimension; ++k) {
-            const std::string label =
-                tr("half extent {1}", {stateComponent(info, static_cast<int>(k)).substr(2)});
-            moved |= real(context, label, label.c_str(), "ensemble half", next.half[k], 0, 2);
-        }
-    }
-    ImGui::PopID();
-    // What makes no sense is not taken, such as a least power above the greatest.
-    if (moved && checkRandomRoots(next).ok()) {
-        roots.draw = next;
-        changed = true;
-    }
+    drawGroup(context, "ensemble.roots");
     return changed;
 }
 
@@ -153,32 +88,22 @@ bool numberControls(StudioContext& context, Scene& scene) {
     EnsembleSpec& ensemble = scene.ensemble;
     bool changed = false;
     for (std::size_t k = 0; k < ensemble.ranges.size(); ++k) {
-        EnsembleRange& range = ensemble.ranges[k];
+        const EnsembleRange& range = ensemble.ranges[k];
         if (removeButton(tr("{1} from a range", {range.name}))) {
             ensemble.ranges.erase(ensemble.ranges.begin() + static_cast<std::ptrdiff_t>(k));
             return true;
         }
-        const double reach = 1 + std::abs(range.to - range.from);
-        changed |= real(context, range.name + " from", "from", "ensemble range", range.from,
-                        range.from - reach, range.from + reach);
-        changed |= real(context, range.name + " to", "to", "ensemble range", range.to,
-                        range.to - reach, range.to + reach);
+        const std::string path = "ensemble.ranges[" + std::to_string(k) + "]";
+        drawValue(context, path + ".from");
+        drawValue(context, path + ".to");
     }
     for (std::size_t k = 0; k < ensemble.discs.size(); ++k) {
-        EnsembleDisc& disc = ensemble.discs[k];
+        const EnsembleDisc& disc = ensemble.discs[k];
         if (removeButton(tr("{1} from a disc", {disc.name}))) {
             ensemble.discs.erase(ensemble.discs.begin() + static_cast<std::ptrdiff_t>(k));
             return true;
         }
-        const std::string name = disc.name + " disc ";
-        changed |= real(context, name + "re", "centre re", "ensemble disc", disc.centreRe, -2, 2);
-        changed |= real(context, name + "im", "centre im", "ensemble disc", disc.centreIm, -2, 2);
-        double radius = disc.radius;
-        if (real(context, name + "radius", "radius", "ensemble disc", radius, 0, 1) &&
-            radius >= 0) {
-            disc.radius = radius;
-            changed = true;
-        }
+        drawGroup(context, "ensemble.discs[" + std::to_string(k) + "]");
     }
     const std::string range =
         chooseMore("##more ranges", "a number…", "ensemble range", freeRanges(scene));
@@ -263,12 +188,7 @@ void drawEnsemble(StudioContext& context) {
                                                                  std::to_string(ensemble.count)})
                                       .c_str());
     }
-    changed |=
-        whole(context, "members", "members", "ensemble members", ensemble.count, 1, 100000, true);
-    ensemble.count = std::clamp(ensemble.count, 1, kMostMembers);
-    changed |= whole(context, "seed", "seed", "ensemble seed", ensemble.seed, 0, 1000);
-    ensemble.seed = std::max(0, ensemble.seed);
-    changed |= choose("set", "ensemble set", ensemble.set, {"membership", "solid"});
+    drawValues(context, {"ensemble.count", "ensemble.seed", "ensemble.set"});
     changed |= rootControls(context, scene);
     changed |= numberControls(context, scene);
     if (!shownAverage(scene).empty()) changed |= contourControls(context, scene);

@@ -2,6 +2,7 @@
 // Images behind and in front of the marked view's fractal.
 #include <algorithm>
 
+#include "ui/panels/value_widgets.h"
 #include "ui/session/context.h"
 #include "ui/widgets/help.h"
 #include "ui/widgets/number_field.h"
@@ -22,29 +23,6 @@ std::string nameOf(const Scene& scene, const Layer& layer) {
     return name;
 }
 
-bool layerControls(StudioContext& context, std::size_t k, Layer& layer) {
-    const std::string id = "layers[" + std::to_string(k) + "]";
-    bool changed = false;
-    const auto number = [&](const char* part, const char* label, double& value, NumberLook look) {
-        look.help = helpOf("layer " + std::string(part));
-        changed |= numberField(context, id + "." + part, label, value, look);
-    };
-    number("x", "to the right", layer.x, {.low = -1, .high = 1, .home = 0});
-    number("y", "up", layer.y, {.low = -1, .high = 1, .home = 0});
-    number("scale", "size", layer.scale, {.low = 0.1, .high = 4, .home = 1, .logarithmic = true});
-    number("opacity", "opacity", layer.opacity, {.low = 0, .high = 1, .home = 1});
-    if (layer.sources.size() > 1)
-        number("frame", "frame", layer.frame,
-               {.low = 0, .high = static_cast<double>(layer.sources.size() - 1), .home = 0});
-    layer.scale = std::clamp(layer.scale, 1e-3, 1000.0);
-    layer.opacity = std::clamp(layer.opacity, 0.0, 1.0);
-    layer.x = std::clamp(layer.x, -100.0, 100.0);
-    layer.y = std::clamp(layer.y, -100.0, 100.0);
-    changed |= ImGui::Checkbox(tr("in front"), &layer.front);
-    explain("layer front");
-    return changed;
-}
-
 }  // namespace
 
 void drawLayers(StudioContext& context) {
@@ -60,7 +38,7 @@ void drawLayers(StudioContext& context) {
         if (ImGui::SmallButton("×")) removed = static_cast<int>(k);
         explain("layer remove");
         if (open) {
-            changed |= layerControls(context, k, scene.layers[k]);
+            drawGroup(context, "layers[" + std::to_string(k) + "]");
             ImGui::TreePop();
         }
         ImGui::PopID();
@@ -91,7 +69,7 @@ void drawLayers(StudioContext& context) {
         ImGui::Checkbox(tr("opened images lie behind"), &context.imagesAreLayers);
         explain("layer drop");
     }
-    if (!scene.layers.empty() && scene.colour.rule != "gradient")
+    if (!scene.layers.empty() && scene.colour.rule != ColourRule::gradient)
         ImGui::TextDisabled("%s", tr("Colours of the gradient rule let images through."));
     if (changed) context.touch();
 }

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "scene/shape_name.h"
+#include "ui/panels/value_widgets.h"
 #include "ui/session/context.h"
 #include "ui/session/shape_change.h"
 #include "ui/widgets/help.h"
@@ -153,24 +154,12 @@ void secondShapeControls(StudioContext& context, bool alpha, const ModulationSpe
     if (changed) spec.shape = typed.text;
     if (!chosen.empty()) spec.shape = chosen, changed = true;
     if (!now.shape.empty()) {
-        const std::string name = alpha ? "α" : "β";
-        changed |= numberField(
-            context, name + " within", tr("{1} within", {name}), spec.value,
-            {.help = helpOf("second value"), .low = alpha ? 0.0 : -0.5, .high = alpha ? 300 : 0.5});
-        changed |= numberField(context, name + " from", "up to φ =", spec.from,
-                               {.help = helpOf("second from"), .low = -0.5, .high = 0.5});
-        changed |= numberField(context, name + " to", "usual from φ =", spec.to,
-                               {.help = helpOf("second to"), .low = -0.5, .high = 0.5});
+        const std::string path = alpha ? "modulation.alpha." : "modulation.beta.";
+        for (const char* part : {"value", "between[0]", "between[1]"})
+            drawValue(context, path + part);
+        spec = specOf(context.workspace.view(), alpha);
         if (ImGui::SmallButton(tr("no second shape"))) spec.shape.clear(), changed = true;
         explain("no second shape");
-    }
-    // While an end is dragged past the other one, that one is pushed.
-    if (changed && !(spec.from < spec.to)) {
-        const double gap = 1e-3;
-        if (spec.from != now.from)
-            spec.to = spec.from + gap;
-        else
-            spec.from = spec.to - gap;
     }
     if (changed) setSpec(context, alpha, spec);
 }

@@ -7,6 +7,7 @@
 #include "maps/critical.h"
 #include "render/system_of.h"
 #include "ui/marks/study_marks.h"
+#include "ui/panels/value_widgets.h"
 #include "ui/session/context.h"
 #include "ui/widgets/help.h"
 #include "ui/widgets/number_field.h"
@@ -219,27 +220,17 @@ void drawStartControls(StudioContext& context) {
 void drawCycleControls(StudioContext& context) {
     Workspace& workspace = context.workspace;
     const MapKernels& map = mapOf(workspace.views[0]);
-    Workspace::Study& study = workspace.study;
-    if (map.dimension == 2) {
-        if (ImGui::Checkbox(tr("critical curve det J = 0"), &study.criticalCurve)) context.touch();
-        explain("critical curve");
-    }
+    const Workspace::Study& study = workspace.study;
+    if (map.dimension == 2) drawValue(context, "study.critical_curve");
     if (map.dimension > 2) {
         ImGui::TextDisabled("%s", tr("For maps of the line and of the plane."));
         return;
     }
-    if (ImGui::Checkbox(tr("show them"), &study.cycles)) context.touch();
-    explain("cycles");
+    drawValue(context, "study.cycles");
     if (!study.cycles) return;
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 4);
-    if (ImGui::DragInt(tr("of period up to"), &study.mostPeriod, 0.05f, 1, kMostShownPeriod, "%d",
-                       ImGuiSliderFlags_AlwaysClamp))
-        context.touch();
-    explain("most period");
+    drawValue(context, "study.most_period");
     if (map.dimension == 2) {
-        if (ImGui::Checkbox(tr("manifolds of saddles"), &study.manifolds)) context.touch();
-        explain("manifolds");
+        drawValue(context, "study.manifolds");
         if (study.manifolds) ImGui::TextDisabled("%s", tr("stable blue, unstable orange"));
     }
     drawCycleList(context);

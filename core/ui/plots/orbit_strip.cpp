@@ -43,7 +43,7 @@ bool step(const char* label, const char* control) {
 }
 
 void drawTabs(StudioContext& context, bool hasWeb) {
-    const auto tab = [&](const char* name, StudioContext::Strip strip) {
+    const auto tab = [&](const char* name, Strip strip) {
         const bool now = context.workspace.strip == strip;
         if (now) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_HeaderActive));
         if (ImGui::SmallButton(tr(name))) context.show(strip);
@@ -51,11 +51,11 @@ void drawTabs(StudioContext& context, bool hasWeb) {
         explain(name);
         ImGui::SameLine(0, 4);
     };
-    tab("series", StudioContext::Strip::series);
-    if (hasWeb) tab("web", StudioContext::Strip::web);
-    tab("diagram", StudioContext::Strip::diagram);
-    if (mapOf(context.workspace.views[0]).info.field) tab("profile", StudioContext::Strip::profile);
-    tab("motion", StudioContext::Strip::motion);
+    tab("series", Strip::series);
+    if (hasWeb) tab("web", Strip::web);
+    tab("diagram", Strip::diagram);
+    if (mapOf(context.workspace.views[0]).info.field) tab("profile", Strip::profile);
+    tab("motion", Strip::motion);
     ImGui::SameLine(0, 12);
 }
 
@@ -289,17 +289,16 @@ void drawOrbitStrip(StudioContext& context) {
     const OrbitProgram* program = context.orbitProgram();
     const Scene scene = orbitScene(context.workspace);
     const MapInfo& info = mapOf(scene).info;
-    if (!program || context.workspace.strip == StudioContext::Strip::motion)
-        drawTabs(context, false);
-    if (context.workspace.strip == StudioContext::Strip::motion) return drawTimeline(context);
-    if (program && context.workspace.strip == StudioContext::Strip::diagram) {
+    if (!program || context.workspace.strip == Strip::motion) drawTabs(context, false);
+    if (context.workspace.strip == Strip::motion) return drawTimeline(context);
+    if (program && context.workspace.strip == Strip::diagram) {
         const double other = scene.slice.centre.size() > 1 ? scene.slice.centre[1] : 0;
         drawTabs(context, keepsRealLine(*program, program->map->dimension == 1 ? other : 0));
         return drawDiagram(context);
     }
-    if (context.workspace.strip == StudioContext::Strip::profile && !info.field)
-        context.workspace.strip = StudioContext::Strip::series;
-    if (program && context.workspace.strip == StudioContext::Strip::profile) {
+    if (context.workspace.strip == Strip::profile && !info.field)
+        context.workspace.strip = Strip::series;
+    if (program && context.workspace.strip == Strip::profile) {
         drawTabs(context, keepsRealLine(*program, 0));
         return drawProfile(context);
     }
@@ -311,8 +310,7 @@ void drawOrbitStrip(StudioContext& context) {
     const double second =
         program->map->dimension == 1 && scene.slice.centre.size() > 1 ? scene.slice.centre[1] : 0;
     const bool hasWeb = keepsRealLine(*program, second);
-    if (!hasWeb && context.workspace.strip == StudioContext::Strip::web)
-        context.workspace.strip = StudioContext::Strip::series;
+    if (!hasWeb && context.workspace.strip == Strip::web) context.workspace.strip = Strip::series;
     drawTabs(context, hasWeb);
     drawHead(context, info);
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -320,7 +318,7 @@ void drawOrbitStrip(StudioContext& context) {
     if (space.x < 60 || space.y < 30) return;
     const float columns = static_cast<float>(program->map->dimension + 1);
     const float table = std::min(0.45f * space.x, ImGui::GetFontSize() * (3.5f + 5.5f * columns));
-    const bool web = context.workspace.strip == StudioContext::Strip::web;
+    const bool web = context.workspace.strip == Strip::web;
     const ImVec2 high{low.x + space.x - table - 10, low.y + space.y};
     ImGui::InvisibleButton("diagram", {high.x - low.x, space.y});
     explain(web ? "web diagram" : "series diagram");

@@ -38,9 +38,7 @@ std::string documentText(const Scene& scene) {
 
 StudioContext::StudioContext(Host& shell)
     : host(shell), workspace(firstWorkspace()), history(workspace) {
-    const std::string stored = host.stored("renderer");
-    for (std::size_t k = 0; k < kRendererWords.size(); ++k)
-        if (stored == kRendererWords[k]) renderer = static_cast<RendererChoice>(k);
+    renderer = fromWord<RendererChoice>(host.stored("renderer")).value_or(renderer);
     if (!setLanguage(host.stored("language"))) setLanguage(languageOf(host.preferredLanguage()));
     gallery.load(host);
     formulas.load(host);
@@ -347,13 +345,13 @@ void StudioContext::pan(int view, double widths, double heights) {
 
 void StudioContext::choose(RendererChoice choice) {
     renderer = choice;
-    host.store("renderer", kRendererWords[static_cast<std::size_t>(choice)]);
+    host.store("renderer", std::string(wordOf(choice)));
     host.wake();
 }
 
 void StudioContext::nextRenderer() {
     choose(static_cast<RendererChoice>((static_cast<std::size_t>(renderer) + 1) %
-                                       kRendererWords.size()));
+                                       EnumWords<RendererChoice>::table.size()));
     const char* said[] = {trLater("Drawn by whoever is faster"),
                           trLater("Drawn by the graphics processor"),
                           trLater("Drawn by the processor")};

@@ -15,6 +15,7 @@
 #include "render/bind.h"
 #include "render/viewport.h"
 #include "ui/controls/access.h"
+#include "ui/controls/commands.h"
 #include "ui/host/host.h"
 #include "ui/session/circles.h"
 #include "ui/session/contact_sheet.h"
@@ -88,8 +89,11 @@ struct FileList {
 // Who draws live pictures: automatic is the graphics processor, unless its driver computes in
 // software.
 enum class RendererChoice { automatic, graphics, processor };
-inline constexpr std::array<const char*, 3> kRendererWords = {
-    trLater("automatic"), trLater("graphics"), trLater("processor")};
+template <>
+struct EnumWords<RendererChoice> {
+    static constexpr std::array<std::string_view, 3> table{
+        trLater("automatic"), trLater("graphics"), trLater("processor")};
+};
 
 struct StudioContext {
     explicit StudioContext(Host& host);
@@ -133,7 +137,6 @@ struct StudioContext {
     Workspace permitted;
     std::uint64_t permittedAt = 0;
     TeacherDialog handing;
-    using Strip = Workspace::Strip;
     int paletteStop = -1;  // the chosen stop of an own palette
     int orbitShown = 0;    // the step that the table has been scrolled to
     // An animated number: it runs between its ends until it is stopped, eased to and fro, or
@@ -251,15 +254,6 @@ struct StudioContext {
     std::vector<std::vector<double>> orbit_;
 };
 
-// A command with its name, keys and what it does: the list behind Ctrl+K and `?`.
-struct Command {
-    std::string name, keys;  // in English
-    std::function<void()> run;
-    std::string shown = {};  // in the language, where it is more than tr(name)
-    std::string title() const { return shown.empty() ? tr(std::string_view(name)) : shown; }
-};
-std::vector<Command> commandsOf(StudioContext& context);
-
 // Panels. Rectangles are in ImGui's coordinates.
 void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high);
 void drawProbe(StudioContext& context);
@@ -275,6 +269,5 @@ void takeExport(StudioContext& context);
 void drawOpenFile(StudioContext& context);
 void drawGallery(StudioContext& context);
 void drawDialogs(StudioContext& context);
-void handleKeys(StudioContext& context);
 
 }  // namespace versorium

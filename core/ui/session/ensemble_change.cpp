@@ -69,7 +69,7 @@ Candidate candidateOf(const Scene& scene) {
 }  // namespace
 
 std::string shownAverage(const Scene& scene) {
-    return showsEnsemble(scene) ? scene.colour.field : std::string();
+    return showsEnsemble(scene) ? std::string(wordOf(scene.colour.field)) : std::string();
 }
 
 void showAverage(Scene& scene, const std::string& field) {
@@ -84,10 +84,10 @@ void showAverage(Scene& scene, const std::string& field) {
         colour.ownPalette = nullptr;
         colour.reverse = false;
     }
-    colour.rule = "palette";
-    colour.field = field;
-    colour.scale.clear();
-    colour.interior = colour.outline = "none";
+    colour.rule = ColourRule::palette;
+    colour.field = *fromWord<FieldName>(field);
+    colour.scale.reset();
+    colour.interior = colour.outline = SetName::none;
     // No standard error of a mean of yes and no is larger than this.
     const double members = std::max(2, scene.ensemble.count);
     colour.range = {0, field == kError ? 0.5 / std::sqrt(members - 1) : 1};

@@ -142,17 +142,16 @@ std::vector<Command> formulaCommands(StudioContext& context, const std::string& 
     std::vector<Command> all;
     const std::string typed = trimmed(question);
     if (looksLikeFormula(typed) && FormulaMap::make(typed))
-        all.push_back({"Formula: " + question, "",
-                       [c, typed] {
+        all.push_back({"", tr("Formula: {1}", {question}), {}, [c, typed] {
                            c->formula.open = true;
                            c->report(applyFormula(*c, typed));
-                       },
-                       tr("Formula: {1}", {question})});
-    all.push_back({"Type a formula of your own", "", [c] { editFormula(*c); }});
+                       }});
+    all.push_back({"formula", trLater("Type a formula of your own"), {}, [c] { editFormula(*c); }});
     for (const SavedFormula& one : context.formulas.all())
-        all.push_back({"Formula: " + one.name, "",
-                       [c, text = one.text] { c->report(applyFormula(*c, text)); },
-                       tr("Formula: {1}", {one.name + "  (" + one.text + ")"})});
+        all.push_back(
+            {"", tr("Formula: {1}", {one.name + "  (" + one.text + ")"}), {}, [c, text = one.text] {
+                 c->report(applyFormula(*c, text));
+             }});
     return all;
 }
 

@@ -62,7 +62,8 @@ Status takePalette(StudioContext& context, const std::string& name, const Json& 
     Colouring& colour = context.workspace.view().colour;
     colour.palette = palette->name();
     colour.ownPalette = paletteToJson(*palette);
-    if (colour.rule != "phase" && colour.rule != "domain") colour.rule = "palette";
+    if (colour.rule != ColourRule::phase && colour.rule != ColourRule::domain)
+        colour.rule = ColourRule::palette;
     context.touch();
     context.say(tr("{1} is the palette of the marked view", {name}));
     return {};
@@ -241,7 +242,7 @@ Status openPlate(StudioContext& context, const std::string& name, const PlateDoc
     if (first->kind == PanelKind::diagram) {
         const DiagramPlot& plot = first->diagram;
         workspace.diagram = {plot.parameter, plot.from, plot.to};
-        workspace.strip = Workspace::Strip::diagram;
+        workspace.strip = Strip::diagram;
     }
     context.open(std::move(workspace));
     context.say(tr("Opened panel {1} of the plate {2}", {first->name, name}));

@@ -151,20 +151,20 @@ void showModulusAndVersor(StudioContext& context) {
     const bool complex = dimensionOf(info.algebra) == 2;
     setViewCount(workspace, 4);
     for (Scene& view : workspace.views) view = scene;
-    const auto colours = [&](std::size_t view, const char* field, const char* palette) {
+    const auto colours = [&](std::size_t view, FieldName field, const char* palette) {
         Colouring& colour = workspace.views[view].colour;
         colour = {};
         colour.field = field;
         colour.palette = palette;
-        colour.interior = "none";
-        colour.outline = info.field ? "solid" : "membership";
+        colour.interior = SetName::none;
+        colour.outline = info.field ? SetName::solid : SetName::membership;
     };
-    colours(0, "image_modulus", "blue-red");
-    colours(1, "image_modulus", "hue");
-    workspace.views[1].colour.rule = complex ? "domain" : "versor";
-    colours(2, "log_modulus", "blue-red");
-    colours(3, "membership", "grey");
-    workspace.views[3].colour.outline = "none";
+    colours(0, FieldName::imageModulus, "blue-red");
+    colours(1, FieldName::imageModulus, "hue");
+    workspace.views[1].colour.rule = complex ? ColourRule::domain : ColourRule::versor;
+    colours(2, FieldName::logModulus, "blue-red");
+    colours(3, FieldName::membership, "grey");
+    workspace.views[3].colour.outline = SetName::none;
     workspace.maximised = false;
     context.touch();
     context.say(tr("r = |f|, {1}, log |f_n| and the members; outlined: {2}",

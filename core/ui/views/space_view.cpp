@@ -40,7 +40,7 @@ void begin(SpaceView& view, const OrbitProgram& program, const Scene& scene, Siz
     // Every binding has a field of its own, of the same shape.
     const ShapeSpec& shape = scene.shape;
     const std::string of = shape.source + "/" + std::to_string(shape.resolution) + "/" +
-                           formatNumber(shape.padding) + "/" + shape.outside +
+                           formatNumber(shape.padding) + "/" + std::string(wordOf(shape.outside)) +
                            (shape.zFastest ? "/z" : "/x");
     if (view.of != of || view.shift != by) {
         const ShapeBounds bounds = boundsOf(*program.field, 3);

@@ -5,11 +5,16 @@
 // modifier is up, and Ctrl Z would be a mere z.
 
 #include "imgui.h"
+#include "ui/controls/chord.h"
 
 namespace versorium {
 
 // ImGuiMod_Ctrl, ImGuiMod_Shift, … together: at the moment of the press where `key` was pressed in
 // this frame, else as they are now.
 ImGuiKeyChord modifiersOf(ImGuiKey key);
+
+// Whether a chord was pressed in this frame, or goes on being pressed where that repeats it (signs,
+// and chords with the command key that undo and redo).
+bool isPressed(const Chord& chord);
 
 }  // namespace versorium

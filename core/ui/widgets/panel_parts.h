@@ -31,4 +31,13 @@ bool choose(const char* label, const char* control, std::string& value,
 bool chooseName(const char* label, const char* control, std::string& value,
                 const std::vector<std::string>& names, const char* empty = "");
 
+// The words of an enumeration.
+template <Worded E>
+bool chooseWord(const char* label, const char* control, E& value) {
+    std::string word(wordOf(value));
+    if (!choose(label, control, word, wordsOf<E>())) return false;
+    value = *fromWord<E>(word);
+    return true;
+}
+
 }  // namespace versorium

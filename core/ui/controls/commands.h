@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// The one table of commands: for the keys, for Find, for the list behind `?`, for the accessible
+// controls, and for the locks of a teacher's link. A command is known by its id, in every language.
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "i18n/language.h"
+#include "ui/controls/chord.h"
+
+namespace versorium {
+
+struct StudioContext;
+
+struct Command {
+    std::string id;     // "undo", "view.zoom.in"; empty of what Find offers beside the commands
+    std::string label;  // in English, or in the language where it is put together
+    Chord chord;
+    std::function<void()> run;
+    std::function<bool()> when = {};  // whether it can be had now; empty: always
+    std::string also = {};            // another name that Find knows it by
+    bool harmless = false;            // it may be had where a teacher's link locks things
+
+    std::string title() const { return tr(std::string_view(label)); }
+};
+
+// Without those that a teacher's link takes away.
+std::vector<Command> commandsOf(StudioContext& context);
+// False where there is no such command, or where it cannot be had now.
+bool runCommand(StudioContext& context, std::string_view id);
+// Runs what is pressed in this frame.
+void handleKeys(StudioContext& context);
+
+}  // namespace versorium
