@@ -99,7 +99,8 @@ void add(PlateOverlay& overlay, const std::string& name, bool points, std::vecto
     if (!curves.empty()) overlay.parts.push_back({name, points, std::move(curves)});
 }
 
-void markOrbit(const Curve& orbit, const MarkFrame& frame, const Words& words, PlateOverlay& overlay) {
+void markOrbit(const Curve& orbit, const MarkFrame& frame, const Words& words,
+               PlateOverlay& overlay) {
     if (static_cast<int>(orbit.size()) > kMostLineSteps + 1)
         add(overlay, words.tr("orbit"), true, {frame.within(orbit)});
     else

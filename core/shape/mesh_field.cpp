@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kLargest = 1e6;
 constexpr double kLeastSquaredArea = 1e-280;  // of the doubled area; below, normals lose digits
-constexpr double kFarRadii = 2.5;                  // radii from which on a cluster's moments are used
+constexpr double kFarRadii = 2.5;             // radii from which on a cluster's moments are used
 
 using Edge = std::array<std::uint32_t, 2>;
 
@@ -266,7 +266,8 @@ double MeshField::signRadius(const glm::dvec3& point, double distance, double wi
             return squaredDistanceToSegment(point, segment.start, segment.side,
                                             segment.inverseSquare);
         });
-    return std::min({distance, sqrt(squared) / 2, std::numbers::pi * margin * squared / boundaryLength_});
+    return std::min(
+        {distance, sqrt(squared) / 2, std::numbers::pi * margin * squared / boundaryLength_});
 }
 
 }  // namespace versorium

@@ -10,7 +10,6 @@
 namespace versorium {
 namespace {
 
-
 // A trap is left some room for rounding.
 constexpr double kMargin = 1e-9;
 

@@ -22,7 +22,6 @@ struct ShapeTree::Node {
 
 namespace {
 
-
 // A star's sector is reached by reflections in lines through 0 at multiples m·π/n: first m = ⌈n/2⌉,
 // then half of that, until m = 1. Derived: cos and sin of each line, then of the sector's end π/n.
 std::vector<double> starNumbers(double points) {

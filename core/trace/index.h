@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Tapes and trees number their nodes by int, since -1 is none; the library's containers count by size_t.
+// Tapes and trees number their nodes by int, since -1 is none; the library's containers count by
+// size_t.
 
 #include <cstddef>
 
