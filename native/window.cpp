@@ -145,9 +145,9 @@ Status writeScreenshot(GLFWwindow* window, const std::string& path) {
 }
 
 // GLFW's window with everything in it; ended in the reverse order.
-struct Window {
+struct OpenWindow {
     GLFWwindow* handle = nullptr;
-    ~Window() {
+    ~OpenWindow() {
         if (handle) glfwDestroyWindow(handle);
         glfwTerminate();
     }
@@ -181,7 +181,7 @@ Status runStudio(const WindowOptions& options) {
                              "). Without one, \"versorium render PRESET -o FILE.png\" and "
                              "\"versorium plate NAME -o FILE.png\" draw to files; "
                              "\"versorium --help\" lists all commands");
-    Window window;
+    OpenWindow window;
     glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_ES_API);
     glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_EGL_CONTEXT_API);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);

@@ -25,6 +25,9 @@ function(versorium_embed target)
             DEPENDS "${file}" "${VERSORIUM_EMBED_SCRIPT}"
             COMMENT "Embedding ${name}" VERBATIM)
         target_sources(${target} PRIVATE "${folder}/${symbol}.cpp")
+        # A file of bytes takes no time; what is read before it would.
+        set_source_files_properties("${folder}/${symbol}.cpp" PROPERTIES
+            SKIP_PRECOMPILE_HEADERS ON UNITY_GROUP embedded)
         list(APPEND names "${name}")
     endwhile()
     set_property(GLOBAL PROPERTY VERSORIUM_EMBEDDED_${target} "${names}")

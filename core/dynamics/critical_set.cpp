@@ -13,11 +13,6 @@ namespace {
 constexpr int kMostPoints = 64;
 constexpr int kBisections = 40;
 
-double distance(const PlanePoint& a, const PlanePoint& b) {
-    const double x = a[0] - b[0], y = a[1] - b[1];
-    return std::sqrt(x * x + y * y);
-}
-
 // Values of det J at the nodes of a grid, and the vertices of its zero set on the grid's edges.
 class Squares {
   public:

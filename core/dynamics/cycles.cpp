@@ -18,7 +18,7 @@ constexpr double kBifurcation = 1e-7;  // of det(J - 1)
 constexpr double kNeutral = 1e-7;
 
 double scaleOf(const PlanePoint& p) { return 1 + std::abs(p[0]) + std::abs(p[1]); }
-double distance(const PlanePoint& a, const PlanePoint& b) {
+double sumOfDistances(const PlanePoint& a, const PlanePoint& b) {
     return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]);
 }
 
@@ -73,7 +73,7 @@ bool isRoot(const System& system, int n, const PlanePoint& at) {
     if (!newtonStep(system, n, at, step)) return false;
     if (std::abs(step[0]) + std::abs(step[1]) <= 1e-10 * scaleOf(at)) return true;
     double j[4];
-    return distance(iterate(system, n, at, j), at) <= 1e-13 * scaleOf(at);
+    return sumOfDistances(iterate(system, n, at, j), at) <= 1e-13 * scaleOf(at);
 }
 
 void setEigenvalues(const System& system, const double* j, PeriodicCycle& cycle) {
@@ -165,7 +165,7 @@ class Collector {
         const double near = tolerance * scaleOf(point);
         for (auto other = byX_.lower_bound(point[0] - near);
              other != byX_.end() && other->first <= point[0] + near; ++other)
-            if (distance({other->first, other->second}, point) < near) return true;
+            if (sumOfDistances({other->first, other->second}, point) < near) return true;
         return false;
     }
 
@@ -204,7 +204,7 @@ PeriodicCycle cycleThrough(const System& system, const double* point, int period
     cycle.period = period;
     for (int n = 1; n < period; ++n) {
         system.step(at.data());
-        if (period % n == 0 && distance(at, start) < kSame * scaleOf(start)) {
+        if (period % n == 0 && sumOfDistances(at, start) < kSame * scaleOf(start)) {
             cycle.period = n;
             break;
         }
@@ -268,7 +268,7 @@ Expected<CycleSearch> findCycles(const System& system, const Window& window,
                 continue;
             const bool known =
                 std::any_of(row.found.begin(), row.found.end(), [&](const PlanePoint& other) {
-                    return distance(other, found) < kSame * scaleOf(found);
+                    return sumOfDistances(other, found) < kSame * scaleOf(found);
                 });
             if (!known) row.found.push_back(found);
         }

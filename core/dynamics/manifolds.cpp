@@ -18,11 +18,6 @@ constexpr int kMostImages = 400;  // fundamental segments
 constexpr double kIdle = 3;       // of them without a point in the window end a branch
 constexpr int kInverseSteps = 30;
 
-double distance(const PlanePoint& a, const PlanePoint& b) {
-    const double x = a[0] - b[0], y = a[1] - b[1];
-    return std::sqrt(x * x + y * y);
-}
-
 // The part of a segment inside the window; false when there is none (Liang and Barsky).
 bool clip(const Window& w, PlanePoint& a, PlanePoint& b) {
     double first = 0, last = 1;

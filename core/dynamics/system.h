@@ -10,6 +10,7 @@
 // (ErrorKind::cancelled), and its results never depend on the number of threads.
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -19,6 +20,11 @@ namespace versorium {
 
 using PlanePoint = std::array<double, 2>;
 using Polyline = std::vector<PlanePoint>;
+
+inline double distance(const PlanePoint& a, const PlanePoint& b) {
+    const double x = a[0] - b[0], y = a[1] - b[1];
+    return std::sqrt(x * x + y * y);
+}
 
 struct Window {
     double left = -2, right = 2, bottom = -2, top = 2;

@@ -30,7 +30,7 @@ struct Element {
 
 enum class Encoding { ascii, little, big };
 
-struct Header {
+struct PlyHeader {
     Encoding encoding = Encoding::ascii;
     std::vector<Element> elements;
     std::size_t dataOffset = 0;
@@ -123,7 +123,7 @@ Status headerFault(const TextScanner& scanner, const std::string& what) {
                         " of the PLY header: " + what);
 }
 
-Status readProperty(TextScanner& scanner, Header& header) {
+Status readProperty(TextScanner& scanner, PlyHeader& header) {
     if (header.elements.empty()) return headerFault(scanner, "a property before any element");
     std::vector<Property>& properties = header.elements.back().properties;
     if (properties.size() >= kProperties) return headerFault(scanner, "too many properties");
@@ -143,7 +143,7 @@ Status readProperty(TextScanner& scanner, Header& header) {
     return {};
 }
 
-Status readElement(TextScanner& scanner, Header& header) {
+Status readElement(TextScanner& scanner, PlyHeader& header) {
     if (header.elements.size() >= kElements) return headerFault(scanner, "too many elements");
     Element element;
     element.name = scanner.word();
@@ -157,7 +157,7 @@ Status readElement(TextScanner& scanner, Header& header) {
     return {};
 }
 
-Status readFormat(TextScanner& scanner, Header& header) {
+Status readFormat(TextScanner& scanner, PlyHeader& header) {
     const std::string_view word = scanner.word();
     if (word == "ascii") {
         header.encoding = Encoding::ascii;
@@ -173,9 +173,9 @@ Status readFormat(TextScanner& scanner, Header& header) {
     return {};
 }
 
-Expected<Header> readHeader(std::string_view text) {
+Expected<PlyHeader> readPlyHeader(std::string_view text) {
     TextScanner scanner(text);
-    Header header;
+    PlyHeader header;
     if (!scanner.nextLine() || scanner.word() != "ply")
         return Status::data("not a PLY file: it does not begin with the word ply");
     bool hasFormat = false;
@@ -309,7 +309,7 @@ Status skipElement(const Element& element, NumberSource& source) {
 }  // namespace
 
 Expected<Mesh> readPly(std::span<const unsigned char> bytes) {
-    const Expected<Header> header = readHeader(textOf(bytes));
+    const Expected<PlyHeader> header = readPlyHeader(textOf(bytes));
     if (!header) return header.status();
     NumberSource source(bytes.subspan(header->dataOffset), header->encoding);
     Mesh mesh;

@@ -11,7 +11,7 @@
 namespace versorium {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 double listSize(const Scene& scene, const char* list) {
     const auto found = scene.lists.find(list);
@@ -20,7 +20,7 @@ double listSize(const Scene& scene, const char* list) {
 
 // Its middle's components, then its radius.
 double ofFirstCircle(const Workspace& workspace, std::size_t number) {
-    if (workspace.circles.empty()) return kUnknown;
+    if (workspace.circles.empty()) return kNoValue;
     const Workspace::Circle& circle = workspace.circles[0];
     return number < 2 ? circle.centre[number] : circle.radius;
 }
@@ -92,7 +92,7 @@ bool isObservable(const Workspace& workspace, const std::string& name) {
 
 double observe(const Workspace& workspace, const std::string& name) {
     if (const Observable* one = observableNamed(name)) return one->value(workspace);
-    return numberNamed(workspace.views[0], name) ? sharedNumber(workspace, name) : kUnknown;
+    return numberNamed(workspace.views[0], name) ? sharedNumber(workspace, name) : kNoValue;
 }
 
 std::string observableNames(const Workspace& workspace) {

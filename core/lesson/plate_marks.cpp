@@ -32,9 +32,9 @@ bool isStatePlane(const Scene& scene) {
     return true;
 }
 
-class Frame {
+class MarkFrame {
   public:
-    explicit Frame(const Scene& view)
+    explicit MarkFrame(const Scene& view)
         : x_(view.slice.centre[0]),
           y_(view.slice.centre[1]),
           half_(0.5 * view.slice.height),
@@ -99,7 +99,8 @@ void add(PlateOverlay& overlay, const std::string& name, bool points, std::vecto
     if (!curves.empty()) overlay.parts.push_back({name, points, std::move(curves)});
 }
 
-void markOrbit(const Curve& orbit, const Frame& frame, const Words& words, PlateOverlay& overlay) {
+void markOrbit(const Curve& orbit, const MarkFrame& frame, const Words& words,
+               PlateOverlay& overlay) {
     if (static_cast<int>(orbit.size()) > kMostLineSteps + 1)
         add(overlay, words.tr("orbit"), true, {frame.within(orbit)});
     else
@@ -107,7 +108,7 @@ void markOrbit(const Curve& orbit, const Frame& frame, const Words& words, Plate
     if (!orbit.empty()) add(overlay, words.tr("start"), true, {frame.within({orbit[0]})});
 }
 
-void markCircles(const Workspace& workspace, const Frame& frame, const Words& words,
+void markCircles(const Workspace& workspace, const MarkFrame& frame, const Words& words,
                  PlateOverlay& overlay) {
     std::vector<Curve> circles;
     for (const Workspace::Circle& circle : workspace.circles) {
@@ -123,7 +124,7 @@ void markCircles(const Workspace& workspace, const Frame& frame, const Words& wo
         false, std::move(circles));
 }
 
-void markRoots(const Workspace& workspace, const Frame& frame, const Words& words,
+void markRoots(const Workspace& workspace, const MarkFrame& frame, const Words& words,
                PlateOverlay& overlay) {
     if (!workspace.showRoots) return;
     for (const auto& [name, list] : workspace.views[0].lists) {
@@ -144,7 +145,7 @@ void markPanels(const Workspace& workspace, Plate& plate) {
         if (panels[k].kind != PanelKind::scene || !isStatePlane(view)) continue;
         if (!orbit) orbit = orbitCurve(workspace);
         PlateOverlay& overlay = panels[k].overlay;
-        const Frame frame(view);
+        const MarkFrame frame(view);
         markOrbit(*orbit, frame, words, overlay);
         markCircles(workspace, frame, words, overlay);
         markRoots(workspace, frame, words, overlay);

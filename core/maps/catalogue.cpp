@@ -101,9 +101,10 @@ std::span<const MapKernels> rowsOf(MapList<Maps...>) {
 #define VERSORIUM_TABLES_OF(target) \
     escape_##target(), advance_##target(), advance_dual_##target(), escape_float_##target()
 std::vector<KernelTarget> allTargets() {
-    const auto always = [] { return true; };
-#if VERSORIUM_X86_KERNELS > 0
-    const auto v3 = [] {
+    [[maybe_unused]] const auto always = [] { return true; };
+    std::vector<KernelTarget> targets;
+#ifdef VERSORIUM_X86_KERNELS
+    [[maybe_unused]] const auto v3 = [] {
         return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
                __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
     };
@@ -113,18 +114,26 @@ std::vector<KernelTarget> allTargets() {
                __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") &&
                __builtin_cpu_supports("avx512cd");
     };
-    return {
-        {"x86-64-v2", Flavour::exact, always, VERSORIUM_TABLES_OF(v2_exact)},
-            {"x86-64-v3", Flavour::exact, v3, VERSORIUM_TABLES_OF(v3_exact)},
-#if VERSORIUM_X86_KERNELS > 1
-            {"x86-64-v4", Flavour::exact, v4, VERSORIUM_TABLES_OF(v4_exact)},
-            {"x86-64-v3", Flavour::fast, v3, VERSORIUM_TABLES_OF(v3_fast)},
-            {"x86-64-v4", Flavour::fast, v4, VERSORIUM_TABLES_OF(v4_fast)},
 #endif
-    };
-#else
-    return {{"128-bit", Flavour::exact, always, VERSORIUM_TABLES_OF(generic_exact)}};
+#ifdef VERSORIUM_HAS_v2_exact
+    targets.push_back({"x86-64-v2", Flavour::exact, always, VERSORIUM_TABLES_OF(v2_exact)});
 #endif
+#ifdef VERSORIUM_HAS_v3_exact
+    targets.push_back({"x86-64-v3", Flavour::exact, v3, VERSORIUM_TABLES_OF(v3_exact)});
+#endif
+#ifdef VERSORIUM_HAS_v4_exact
+    targets.push_back({"x86-64-v4", Flavour::exact, v4, VERSORIUM_TABLES_OF(v4_exact)});
+#endif
+#ifdef VERSORIUM_HAS_v3_fast
+    targets.push_back({"x86-64-v3", Flavour::fast, v3, VERSORIUM_TABLES_OF(v3_fast)});
+#endif
+#ifdef VERSORIUM_HAS_v4_fast
+    targets.push_back({"x86-64-v4", Flavour::fast, v4, VERSORIUM_TABLES_OF(v4_fast)});
+#endif
+#ifdef VERSORIUM_HAS_generic_exact
+    targets.push_back({"128-bit", Flavour::exact, always, VERSORIUM_TABLES_OF(generic_exact)});
+#endif
+    return targets;
 }
 
 }  // namespace

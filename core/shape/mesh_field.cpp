@@ -3,16 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <string>
 
 namespace versorium {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kLargest = 1e6;
 constexpr double kLeastSquaredArea = 1e-280;  // of the doubled area; below, normals lose digits
-constexpr double kFar = 2.5;                  // radii from which on a cluster's moments are used
+constexpr double kFarRadii = 2.5;             // radii from which on a cluster's moments are used
 
 using Edge = std::array<std::uint32_t, 2>;
 
@@ -150,7 +150,7 @@ MeshField::Cluster MeshField::clusterOf(std::span<const Triangle> triangles) {
         for (const glm::dvec3& corner : triangle.corners()) {
             const glm::dvec3 apart = corner - cluster.centre;
             cluster.squaredRadius =
-                std::max(cluster.squaredRadius, kFar * kFar * glm::dot(apart, apart));
+                std::max(cluster.squaredRadius, kFarRadii * kFarRadii * glm::dot(apart, apart));
         }
     }
     return cluster;
@@ -244,13 +244,13 @@ double MeshField::windingNumber(const glm::dvec3& point) const {
             stack[size++] = n + 1;
         }
     }
-    return angle / (4 * kPi);
+    return angle / (4 * std::numbers::pi);
 }
 
 double MeshField::windingNumberBySum(const glm::dvec3& point) const {
     double angle = 0;
     for (const Triangle& triangle : triangles_) angle += triangle.solidAngle(point);
-    return angle / (4 * kPi);
+    return angle / (4 * std::numbers::pi);
 }
 
 // Off the surface the winding number is smooth, and its gradient is the law of Biot and Savart for
@@ -266,7 +266,8 @@ double MeshField::signRadius(const glm::dvec3& point, double distance, double wi
             return squaredDistanceToSegment(point, segment.start, segment.side,
                                             segment.inverseSquare);
         });
-    return std::min({distance, sqrt(squared) / 2, kPi * margin * squared / boundaryLength_});
+    return std::min(
+        {distance, sqrt(squared) / 2, std::numbers::pi * margin * squared / boundaryLength_});
 }
 
 }  // namespace versorium

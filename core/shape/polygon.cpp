@@ -12,7 +12,7 @@
 namespace versorium {
 namespace {
 
-constexpr double kLargest = 1e6;
+constexpr double kLargestNumber = 1e6;
 
 struct Side {
     glm::dvec3 start, span;
@@ -20,7 +20,7 @@ struct Side {
 };
 
 bool usable(const glm::dvec2& point) {
-    return std::abs(point.x) <= kLargest && std::abs(point.y) <= kLargest;
+    return std::abs(point.x) <= kLargestNumber && std::abs(point.y) <= kLargestNumber;
 }
 
 Status checkOptions(const PolygonDistanceOptions& options) {

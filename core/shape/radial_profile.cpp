@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "shape/modulation.h"
 
 namespace versorium {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // A trap is left some room for rounding.
 constexpr double kMargin = 1e-9;
@@ -28,10 +27,10 @@ Directions directionsOf(int dimensions, int points) {
     Directions directions;
     if (dimensions == 2) {
         for (int i = 0; i < points; ++i) {
-            const double angle = 2 * kPi * (i + 0.5) / points;
+            const double angle = 2 * std::numbers::pi * (i + 0.5) / points;
             directions.all.push_back({cos(angle), sin(angle), 0});
         }
-        directions.reach = kPi / points;
+        directions.reach = std::numbers::pi / points;
         return directions;
     }
     const int rows = std::max(2, static_cast<int>(std::sqrt(0.25 * points)));
@@ -40,14 +39,14 @@ Directions directionsOf(int dimensions, int points) {
         const double z = -1 + (2 * row + 1.0) / rows;
         const double ring = std::sqrt(1 - z * z);
         for (int i = 0; i < across; ++i) {
-            const double angle = 2 * kPi * (i + 0.5) / across;
+            const double angle = 2 * std::numbers::pi * (i + 0.5) / across;
             directions.all.push_back({ring * cos(angle), ring * sin(angle), z});
         }
     }
     // A cell's corner differs from its midpoint by at most half a cell's angle around the axis and
     // by the angle between the heights, which is greatest at the poles.
     const double pole = std::sqrt(2.0 * (2.0 / rows));
-    directions.reach = kPi / across + pole;
+    directions.reach = std::numbers::pi / across + pole;
     return directions;
 }
 

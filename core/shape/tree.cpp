@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/json.h"
 #include "math/elementary.h"
@@ -21,13 +22,11 @@ struct ShapeTree::Node {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 // A star's sector is reached by reflections in lines through 0 at multiples m·π/n: first m = ⌈n/2⌉,
 // then half of that, until m = 1. Derived: cos and sin of each line, then of the sector's end π/n.
 std::vector<double> starNumbers(double points) {
     std::vector<double> derived;
-    const double width = kPi / points;
+    const double width = std::numbers::pi / points;
     int sectors = static_cast<int>(points);
     while (sectors > 1) {
         sectors = (sectors + 1) / 2;

@@ -7,12 +7,11 @@
 #include <set>
 
 #include "trace/formula_terms.h"
+#include "trace/index.h"
 
 namespace versorium {
 namespace formulas {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 class Meaning {
   public:

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "trace/formula_terms.h"
+#include "trace/index.h"
 
 namespace versorium {
 namespace formulas {
@@ -25,8 +26,6 @@ namespace {
 
 constexpr std::size_t kNameCharacters = 24;
 constexpr std::size_t kNumberCharacters = 40;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 bool isBlank(char32_t c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == 0xa0; }
 bool isDigit(char32_t c) { return c >= '0' && c <= '9'; }

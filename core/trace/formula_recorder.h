@@ -9,10 +9,9 @@
 #include "math/functions.h"
 #include "trace/expr.h"
 #include "trace/formula_terms.h"
+#include "trace/index.h"
 
 namespace versorium::formulas {
-
-inline std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 struct Value {
     enum class Type { real, algebra, truth } type = Type::real;

@@ -4,11 +4,10 @@
 
 #include "base/json.h"
 #include "trace/formula_terms.h"
+#include "trace/index.h"
 
 namespace versorium::formulas {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // How tightly a term holds together.
 enum Level { kOr = 1, kAnd, kNot, kComparison, kSum, kProduct, kSign, kPower, kAtom };

@@ -6,12 +6,11 @@
 #include <optional>
 
 #include "trace/expr.h"
+#include "trace/index.h"
 #include "trace/interpret.h"
 
 namespace versorium {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // ---- simplifying -------------------------------------------------------------------------------
 

@@ -2,14 +2,13 @@
 #include "trace/specialise.h"
 
 #include <cassert>
-#include <cstddef>
+
+#include "trace/index.h"
 
 namespace versorium {
 namespace {
 
 constexpr int kZero = -2;  // in place of a node: the number 0
-
-std::size_t at(int node) { return static_cast<std::size_t>(node); }
 
 class Specialiser {
   public:
