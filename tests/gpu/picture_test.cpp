@@ -73,7 +73,7 @@ TEST(GpuPicture, ColoursAreThoseOfTheProcessor) {
             scene.samples = samples;
             scene.colour = {};
             scene.colour.rule = rule;
-            GpuRenderer gpu;
+            GpuDevice gpu;
             GpuPicture picture(gpu);
             const Status status = picture.start(scene, kSize, {.samples = samples});
             ASSERT_TRUE(status.ok()) << status.message();
@@ -89,7 +89,7 @@ TEST(GpuPicture, ColoursAreThoseOfTheProcessor) {
 
 TEST(GpuPicture, InFewPixelsIsThePictureThere) {
     Scene scene = mandelbrot();
-    GpuRenderer gpu;
+    GpuDevice gpu;
     GpuPicture picture(gpu);
     Raster<unsigned char> small;
     EXPECT_FALSE(picture.readSmall({4, 3}, small).ok());
@@ -105,7 +105,7 @@ TEST(GpuPicture, InFewPixelsIsThePictureThere) {
 }
 
 TEST(GpuPicture, RecolouringDoesNotIterate) {
-    GpuRenderer gpu;
+    GpuDevice gpu;
     GpuPicture picture(gpu);
     Scene scene = mandelbrot();
     ASSERT_TRUE(picture.start(scene, kSize).ok());
@@ -121,7 +121,7 @@ TEST(GpuPicture, RecolouringDoesNotIterate) {
 }
 
 TEST(GpuPicture, SplittingChangesNothing) {
-    GpuRenderer gpu;
+    GpuDevice gpu;
     GpuPicture once(gpu), often(gpu);
     const Scene scene = mandelbrot();
     ASSERT_TRUE(once.start(scene, kSize).ok());
@@ -134,7 +134,7 @@ TEST(GpuPicture, SplittingChangesNothing) {
 }
 
 TEST(GpuPicture, StartsAnewInTheMiddle) {
-    GpuRenderer gpu;
+    GpuDevice gpu;
     GpuPicture picture(gpu), fresh(gpu);
     Scene slow = mandelbrot();
     slow.iterations = 100000;
@@ -150,7 +150,7 @@ TEST(GpuPicture, StartsAnewInTheMiddle) {
 }
 
 TEST(GpuPicture, ComesBackAfterALostContext) {
-    GpuRenderer gpu;
+    GpuDevice gpu;
     GpuPicture picture(gpu);
     ASSERT_TRUE(picture.start(mandelbrot(), kSize).ok());
     finish(picture);
@@ -166,7 +166,7 @@ TEST(GpuPicture, ComesBackAfterALostContext) {
 }
 
 TEST(GpuPicture, SaysWhatTheProcessorHasToDraw) {
-    GpuRenderer gpu;
+    GpuDevice gpu;
     GpuPicture picture(gpu);
     const auto refused = [&](const Scene& scene, const char* word) {
         const Status status = picture.start(scene, kSize);
