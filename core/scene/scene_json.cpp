@@ -390,7 +390,17 @@ Expected<Scene> sceneFromJson(const Json& value) {
     return scene;
 }
 
+Json assetToJson(const Asset& asset) {
+    return Json{{"name", asset.name}, {"data", base64Encode(asset.bytes)}};
+}
+
 Json sceneToJson(const Scene& scene) {
+    Json json = sceneBody(scene);
+    for (const auto& [hash, asset] : scene.assets) json["assets"][hash] = assetToJson(*asset);
+    return json;
+}
+
+Json sceneBody(const Scene& scene) {
     Json json;
     json["versorium"] = Scene::kVersion;
     json["map"] = scene.map;
@@ -470,10 +480,6 @@ Json sceneToJson(const Scene& scene) {
     for (const Layer& layer : scene.layers) json["layers"].push_back(layerJson(layer));
     json["aspect"] = scene.aspect;
     json["samples"] = scene.samples;
-    if (!scene.assets.empty())
-        for (const auto& [hash, asset] : scene.assets)
-            json["assets"][hash] =
-                Json{{"name", asset->name}, {"data", base64Encode(asset->bytes)}};
     return json;
 }
 
