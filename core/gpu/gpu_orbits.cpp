@@ -6,12 +6,9 @@
 #include <cmath>
 
 #include "fields/ensemble.h"
-#include "fields/observers.h"
 #include "maps/critical.h"
-#include "render/bind.h"
 #include "render/cpu/averaged_map.h"
-#include "render/glsl/shader.h"
-#include "trace/specialise.h"
+#include "render/glsl/orbit_shader.h"
 
 namespace versorium {
 namespace {
@@ -49,23 +46,17 @@ constexpr double kCaptureMargin = 1e-5;
 
 Status refused(const std::string& why) { return Status::usage("the CPU draws this: " + why); }
 
-double coordinate(const Scene& scene, std::size_t axis) {
-    const SliceSpec& slice = scene.slice;
-    const double high = axis < slice.centre.size() ? slice.centre[axis] : 0;
-    return high + (axis < slice.centreLow.size() ? slice.centreLow[axis] : 0);
-}
-
 // Numbers of an orbit as affine functions of the pixel, in double.
 struct Affine {
     double middle = 0, right = 0, up = 0;
 };
 
 std::vector<Affine> affineNumbers(const Scene& scene, const OrbitProgram& program, double pixel) {
-    const double middle[3] = {coordinate(scene, 0), coordinate(scene, 1), coordinate(scene, 2)};
+    const std::array<double, 3> middle = centreOf(scene);
     const auto& axes = program.slice.axes;
     std::vector<Affine> numbers(program.slice.origin.size());
     for (std::size_t k = 0; k < numbers.size(); ++k) {
-        numbers[k].middle = program.slice.at(k, middle);
+        numbers[k].middle = program.slice.at(k, middle.data());
         if (!axes.empty()) numbers[k].right = axes[0][k] * pixel;
         if (axes.size() > 1) numbers[k].up = axes[1][k] * pixel;
     }
@@ -158,38 +149,6 @@ class CriticalStart {
     Size size_;
 };
 
-// The distance of an analytic shape; its constants become parameters.
-Tape recordShape(const ShapeTree& shape, std::vector<float>& numbers) {
-    Tape tape;
-    tape.stateSize = 3;
-    Expr at[3];
-    for (int k = 0; k < 3; ++k) at[k] = {&tape, tape.add({.op = Op::state, .index = k})};
-    const Expr value = distance(shape, at[0], at[1], at[2]);
-    tape.outputs = {value.on(&tape)};
-    for (Node& node : tape.nodes) {
-        if (node.op != Op::constant) continue;
-        numbers.push_back(static_cast<float>(node.constant));
-        node = {.op = Op::parameter, .index = tape.parameterSize++};
-    }
-    return tape;
-}
-
-// The map's step without the terms whose coefficients are 0 in the whole picture, where that saves
-// much: every other set of terms is a shader of its own, which takes time to compile.
-Tape stepOf(const MapKernels& map, const std::vector<Affine>& numbers,
-            const std::vector<std::size_t>& drawn) {
-    Tape whole = map.trace();
-    std::vector<char> zero;
-    for (int k = 0; k < map.parameters; ++k) {
-        const auto index = static_cast<std::size_t>(map.dimension + k);
-        const Affine& number = numbers[index];
-        zero.push_back(number.middle == 0 && number.right == 0 && number.up == 0 &&
-                       std::find(drawn.begin(), drawn.end(), index) == drawn.end());
-    }
-    Tape special = specialise(whole, zero);
-    return 2 * special.nodes.size() < whole.nodes.size() ? special : whole;
-}
-
 Status checkLists(const OrbitProgram& program, const GpuLimits& limits) {
     for (const BoundList& list : program.lists)
         if (list.size() > static_cast<std::size_t>(limits.textureSize))
@@ -197,23 +156,15 @@ Status checkLists(const OrbitProgram& program, const GpuLimits& limits) {
     return {};
 }
 
-// The numbers of the slice that each member draws.
-std::vector<std::size_t> drawnNumbers(const Ensemble& ensemble) {
-    std::vector<std::size_t> drawn;
-    for (const Ensemble::Range& range : ensemble.ranges) drawn.push_back(range.number);
-    for (const Ensemble::Disc& disc : ensemble.discs) drawn.insert(drawn.end(), {disc.re, disc.im});
-    return drawn;
-}
-
 // Whether an ensemble can be counted here.
-Status checkMembers(const OrbitProgram& program, const std::vector<std::size_t>& drawn) {
+Status checkMembers(const OrbitProgram& program) {
     const Ensemble& ensemble = *program.ensemble;
     if (ensemble.count > static_cast<std::uint64_t>(kMostGpuMembers))
         return refused("it has more members than 24 bits count");
     if (program.onlyLastTested) return refused("only the last point of each orbit is tested");
     if (!program.critical) return {};
     bool moves = ensemble.list >= 0;
-    for (std::size_t number : drawn) {
+    for (std::size_t number : drawnNumbers(ensemble)) {
         const auto parameter = static_cast<int>(number) - program.map->dimension;
         moves = moves || (parameter >= 0 && movesCritical(*program.map, parameter));
     }
@@ -261,10 +212,8 @@ Expected<GpuOrbits> GpuOrbits::make(const Scene& scene, const OrbitProgram& prog
     const double radius2 = program.escapeRadius * program.escapeRadius;
     orbits.bounded = !program.onlyLastTested && radius2 < 3e38;
     orbits.squaredRadius = orbits.bounded ? static_cast<float>(radius2) : 0.0F;
-    std::vector<std::size_t> drawn;
     if (showsEnsemble(scene)) {
-        drawn = drawnNumbers(*program.ensemble);
-        if (Status status = checkMembers(program, drawn); !status.ok()) return status;
+        if (Status status = checkMembers(program); !status.ok()) return status;
         orbits.members = static_cast<int>(program.ensemble->count);
         const double capture = program.ensemble->capture * (1 - kCaptureMargin);
         if (!program.ensemble->solid) orbits.squaredCapture = static_cast<float>(capture * capture);
@@ -295,13 +244,11 @@ Expected<GpuOrbits> GpuOrbits::make(const Scene& scene, const OrbitProgram& prog
 
     if (program.field && (program.field->alpha() || program.field->beta()))
         return refused("alpha or beta differs from place to place");
-    Tape shape;
-    const bool analytic = program.field && program.field->shape();
-    if (analytic) {
-        shape = recordShape(*program.field->shape(), orbits.shapeNumbers);
-        if (orbits.shapeNumbers.size() > kMostShapeNumbers || shape.nodes.size() > kMostShapeNodes)
-            return refused("its shape has too many parts");
-    } else if (program.field) {
+    OrbitShader shader = orbitShader(scene, program);
+    orbits.shapeNumbers = std::move(shader.shapeNumbers);
+    if (orbits.shapeNumbers.size() > kMostShapeNumbers || shader.shapeNodes > kMostShapeNodes)
+        return refused("its shape has too many parts");
+    if (program.field && !program.field->shape()) {
         const glm::ivec3 nodes = program.field->grid()->resolution;
         if (std::max({nodes.x, nodes.y, nodes.z}) > limits.gridSize)
             return refused("its grid is larger than a texture may be");
@@ -309,11 +256,7 @@ Expected<GpuOrbits> GpuOrbits::make(const Scene& scene, const OrbitProgram& prog
     if (static_cast<int>(orbits.numbers.size() / 4 + orbits.shapeNumbers.size()) + kOtherUniforms >
         limits.uniformVectors)
         return refused("it takes more numbers than the graphics processor has room for");
-    const Tape step = stepOf(*program.map, numbers, drawn);
-    const Tape* shapeTape = analytic ? &shape : nullptr;
-    orbits.shaderText = orbits.counts()
-                            ? countingShader(step, shapeTape, static_cast<int>(drawn.size()))
-                            : iterationShader(step, shapeTape, kAttractionDifference);
+    orbits.shaderText = std::move(shader.text);
     return orbits;
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fields/evaluate.h"
-#include "gpu/gpu_renderer.h"
+#include "gpu/gpu_device.h"
 #include "image/raster.h"
 #include "scene/scene.h"
 

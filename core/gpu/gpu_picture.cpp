@@ -59,11 +59,11 @@ Status GpuPicture::start(const Scene& scene, const OrbitProgram& program, Size s
                          const GpuOptions& options) {
     rewind();
     state_ = State::empty;
-    if (Status status = renderer_.prepare(); !status.ok()) return status;
+    if (Status status = device_.prepare(); !status.ok()) return status;
     if (options.samples < 1 || options.samples > kMostSamples)
         return Status::usage("a picture takes 1 to " + std::to_string(kMostSamples) +
                              " samples along each side of a pixel");
-    const GpuLimits& limits = renderer_.limits();
+    const GpuLimits& limits = device_.limits();
     if (size.width < 1 || size.height < 1 || size.width > limits.textureSize / options.samples ||
         size.height > limits.textureSize / options.samples)
         return Status::usage("the CPU draws this: the picture does not fit into a texture");
@@ -115,7 +115,7 @@ Status GpuPicture::recolour(const Scene& scene) {
 }
 
 void GpuPicture::rewind() {
-    if (fence_ && generation_ == renderer_.generation()) glDeleteSync(fence_);
+    if (fence_ && generation_ == device_.generation()) glDeleteSync(fence_);
     fence_ = nullptr;
     source_ = row_ = done_ = firstMember_ = 0;
     steps_ = 0;
@@ -133,12 +133,12 @@ double GpuPicture::progress() const {
 
 // After a lost context everything is made anew, and the orbits begin again.
 bool GpuPicture::recover() {
-    if (generation_ == renderer_.generation() && generation_ >= 0) return true;
+    if (generation_ == device_.generation() && generation_ >= 0) return true;
     dropNames();
     rewind();
-    generation_ = renderer_.generation();
+    generation_ = device_.generation();
     bound_ = painted_ = false;
-    status_ = renderer_.prepare();
+    status_ = device_.prepare();
     return status_.ok();
 }
 
@@ -151,8 +151,8 @@ bool GpuPicture::ready(GLuint& program, bool wait) {
     };
     if (!recover()) return fail(status_);
     // Both are asked for, so that both compile at once.
-    const GpuRenderer::Program colours = renderer_.program(colourText_, wait);
-    const GpuRenderer::Program orbits = renderer_.program(orbits_.shaderText, wait);
+    const GpuDevice::Program colours = device_.program(colourText_, wait);
+    const GpuDevice::Program orbits = device_.program(orbits_.shaderText, wait);
     if (!colours.status.ok()) return fail(colours.status);
     if (!orbits.status.ok()) return fail(orbits.status);
     if (colours.compiling() || orbits.compiling()) {
@@ -217,8 +217,8 @@ void GpuPicture::drawUnit(GLuint program, double target) {
     issued_ = now();
     workIssued_ = 1.0 * rows * size.width * steps_;
     looks_ = 0;
-    renderer_.drawQuad();
-    ++renderer_.iterationDraws;
+    device_.drawQuad();
+    ++device_.iterationDraws;
     fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
 
     row_ += rows;
@@ -238,7 +238,7 @@ bool GpuPicture::awaitUnit(double seconds, double target) {
     ++looks_;
     const auto wanted = static_cast<GLuint64>(std::clamp(seconds, 0.0, 1.0) * 1e9);
     const GLenum result = glClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT,
-                                           std::min(wanted, renderer_.limits().longestWait));
+                                           std::min(wanted, device_.limits().longestWait));
     if (result == GL_TIMEOUT_EXPIRED) return false;
     glDeleteSync(fence_);
     fence_ = nullptr;
@@ -253,7 +253,7 @@ bool GpuPicture::awaitUnit(double seconds, double target) {
     slowest_ *= kForgetting;
     // A fence that was passed before anybody looked only says that the draw took no longer than
     // what lay between. In a browser that is a frame at least, or two: a fence is never waited for.
-    if (renderer_.limits().longestWait == 0 || (result == GL_ALREADY_SIGNALED && looks_ == 1)) {
+    if (device_.limits().longestWait == 0 || (result == GL_ALREADY_SIGNALED && looks_ == 1)) {
         if (took > kLongestFrame) slowest_ = std::min(slowest_, measured);
         if (took < kFrame)
             rate_ = std::min(rate_ * kGrowth, slowest_ * kAboveSlowest);
@@ -284,7 +284,7 @@ Status GpuPicture::finish() {
 
 bool GpuPicture::advance(double budgetSeconds) {
     if (state_ == State::empty) return true;
-    const bool stale = generation_ >= 0 && generation_ != renderer_.generation();
+    const bool stale = generation_ >= 0 && generation_ != device_.generation();
     if ((state_ == State::finished || state_ == State::failed) && !stale) return true;
     if (stale) state_ = State::iterating;
     const double deadline = now() + budgetSeconds;

@@ -5,18 +5,18 @@
 // scenes that need more, or fields that are not carried, are refused with the reason, and the CPU
 // draws them. Row 0 of the texture is the top of the picture.
 //
-//   GpuPicture picture(renderer);
+//   GpuPicture picture(device);
 //   Status status = picture.start(scene, size);           // cancels what was under way
 //   while (!picture.advance(0.010)) show(picture.texture());
 //
-// Needs its context current wherever it is called, also in its destructor (unless the renderer has
+// Needs its context current wherever it is called, also in its destructor (unless the device has
 // been told to forget).
 
-#include "gpu/colour_shader.h"
+#include "gpu/gpu_device.h"
 #include "gpu/gpu_orbits.h"
-#include "gpu/gpu_renderer.h"
 #include "image/raster.h"
 #include "render/colouring.h"
+#include "render/glsl/colour_shader.h"
 
 namespace versorium {
 
@@ -30,7 +30,7 @@ class GpuPicture {
   public:
     enum class State { empty, compiling, iterating, finished, failed };
 
-    explicit GpuPicture(GpuRenderer& renderer) : renderer_(renderer) {}
+    explicit GpuPicture(GpuDevice& device) : device_(device) {}
     ~GpuPicture();
     GpuPicture(const GpuPicture&) = delete;
     GpuPicture& operator=(const GpuPicture&) = delete;
@@ -99,7 +99,7 @@ class GpuPicture {
         return {size_.width * options_.samples, size_.height * options_.samples};
     }
 
-    GpuRenderer& renderer_;
+    GpuDevice& device_;
     const std::string colourText_ = colourShader();
     int generation_ = -1;
     State state_ = State::empty;

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "fields/ensemble.h"
-#include "gpu/colour_shader.h"
 #include "gpu/gpu_picture.h"
 #include "gpu/gpu_state.h"
 #include "math/elementary.h"
+#include "render/glsl/colour_shader.h"
 
 namespace versorium {
 namespace {
@@ -85,7 +85,7 @@ void straightRange(const Scale& scale, float& low, float& high) {
 
 void GpuPicture::dropNames() {
     // Names of a context that is gone must not be deleted in the next one.
-    if (generation_ == renderer_.generation()) {
+    if (generation_ == device_.generation()) {
         const GLuint textures[] = {names_.fields[0], names_.fields[1], names_.states[0],
                                    names_.states[1], names_.image,     names_.roots,
                                    names_.grid,      names_.palette,   names_.picture};
@@ -260,7 +260,7 @@ void GpuPicture::bindOrbitInputs(GLuint program) {
 
 Status GpuPicture::colourInto(GLuint frame, Size size, int rule, FieldName shown, int samples) {
     if (!painted_) uploadPalette();
-    const GpuRenderer::Program made = renderer_.program(colourText_);
+    const GpuDevice::Program made = device_.program(colourText_);
     if (!made.status.ok()) return made.status;
     if (made.compiling()) return Status::usage("the program is still being compiled");
     const GLuint program = made.name;
@@ -319,7 +319,7 @@ Status GpuPicture::colourInto(GLuint frame, Size size, int rule, FieldName shown
     glUniform2i(at("uSize"), size.width, size.height);
 
     const gpu::DrawState state(frame, size);
-    renderer_.drawQuad();
+    device_.drawQuad();
     return {};
 }
 
@@ -339,7 +339,7 @@ void GpuPicture::setContours(GLuint program, int samples) {
 }
 
 GLuint GpuPicture::texture() {
-    if (!anyOrbits_ || generation_ != renderer_.generation()) return 0;
+    if (!anyOrbits_ || generation_ != device_.generation()) return 0;
     if (!coloured_) {
         const Status status =
             colourInto(names_.pictureFrame, size_, static_cast<int>(scene_.colour.rule),
@@ -363,7 +363,7 @@ bool GpuPicture::copyInto(GLuint target) {
 
 Status GpuPicture::readFields(const std::vector<FieldName>& fields,
                               std::vector<Raster<float>>& rasters) {
-    if (!anyOrbits_ || generation_ != renderer_.generation())
+    if (!anyOrbits_ || generation_ != device_.generation())
         return Status::usage("there are no orbits to read yet");
     if (Status status = carriesFields(orbits_, fields); !status.ok()) return status;
     const Size size = sampled();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/document.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -175,6 +176,14 @@ Json withoutAssets(Json scene, Json& assets) {
             assets[item.key()] = *item;
     scene.erase("assets");
     return scene;
+}
+
+void addAssets(const Scene& scene, Json& assets) {
+    if (scene.assets.empty()) return;
+    const std::vector<std::string> named = assetsNamed(sceneBody(scene));
+    for (const auto& [hash, asset] : scene.assets)
+        if (std::find(named.begin(), named.end(), hash) != named.end() && !assets.contains(hash))
+            assets[hash] = assetToJson(*asset);
 }
 
 std::vector<std::string> assetsNamed(const Json& json) {

@@ -37,6 +37,8 @@ std::vector<std::string> assetsNamed(const Json& json);
 Expected<Scene> sceneWithAssets(const Json& scene, const Json& assets);
 // Moves the assets of a scene's JSON to `assets`.
 Json withoutAssets(Json scene, Json& assets);
+// Adds those of the scene's assets that something in it names.
+void addAssets(const Scene& scene, Json& assets);
 
 // --set key=value. A key is a path of the scene ("colour.palette"), the last part of one
 // ("palette", "height"), or a number's or parameter's name ("c", "c.re", "roots[0].power"). `shape`

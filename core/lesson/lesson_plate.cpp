@@ -86,7 +86,7 @@ LinePlot webOf(const Workspace& workspace, const Words& words) {
     return plot;
 }
 
-void makeDiagram(const Workspace& workspace, PlatePanel& panel, Json& assets) {
+void makeDiagram(const Workspace& workspace, PlatePanel& panel) {
     const Workspace::Diagram diagram = diagramOf(workspace);
     Scene scene = diagramScene(workspace);
     if (scene.criticalStart) {
@@ -97,7 +97,7 @@ void makeDiagram(const Workspace& workspace, PlatePanel& panel, Json& assets) {
         scene.slice.centreLow.push_back(0);
     }
     panel.kind = PanelKind::diagram;
-    panel.scene = withoutAssets(sceneToJson(scene), assets);
+    panel.scene = scene;
     panel.diagram.parameter = diagram.number;
     panel.diagram.from = diagram.left;
     panel.diagram.to = diagram.right;
@@ -113,11 +113,11 @@ void makeDiagram(const Workspace& workspace, PlatePanel& panel, Json& assets) {
 }
 
 // What stands below the views, where a figure can show it.
-std::optional<PlatePanel> stripPanel(const Workspace& workspace, PlateDocument& document) {
-    const Words words(document.plate.language);
+std::optional<PlatePanel> stripPanel(const Workspace& workspace, const Plate& plate) {
+    const Words words(plate.language);
     const MapKernels& map = mapOf(workspace.views[0]);
     PlatePanel panel;
-    panel.name = static_cast<char>('a' + document.plate.panels.size());
+    panel.name = static_cast<char>('a' + plate.panels.size());
     switch (workspace.strip) {
         case Strip::series:
         case Strip::web: {
@@ -133,14 +133,13 @@ std::optional<PlatePanel> stripPanel(const Workspace& workspace, PlateDocument& 
         case Strip::diagram:
             if (diagramNumber(workspace).empty()) return {};
             panel.title = words.tr("Bifurcation diagram");
-            makeDiagram(workspace, panel, document.assets);
+            makeDiagram(workspace, panel);
             return panel;
         case Strip::profile:
             if (!map.info.field) return {};
             panel.kind = PanelKind::profile;
             panel.title = words.tr("Mean of φ over the radius");
-            panel.scene =
-                withoutAssets(sceneToJson(workspace.views[workspace.speaker()]), document.assets);
+            panel.scene = workspace.views[workspace.speaker()];
             return panel;
         default:
             return {};
@@ -170,7 +169,7 @@ PlateDocument plateOfStep(const Lesson& lesson, std::size_t step, const Workspac
     for (const Scene& scene : shown.views)
         if (said.insert(scene.iterations).second)
             document.plate.note += (said.size() > 1 ? ", " : "") + std::to_string(scene.iterations);
-    if (std::optional<PlatePanel> strip = stripPanel(shown, document))
+    if (std::optional<PlatePanel> strip = stripPanel(shown, document.plate))
         document.plate.panels.push_back(std::move(*strip));
     // Where the numbers of a plane of starting points lie among the parameters.
     std::vector<PlatePanel>& panels = document.plate.panels;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // A plate is a figure for print or projection: a grid of lettered panels with axes, colour bars and
-// keys, a title, a caption and a last line in small type. A panel shows a scene, which this room
-// knows only as JSON and has drawn by a PanelSource, a bifurcation diagram of one, or a line plot.
-// The whole layout follows from measured text: nothing overlaps and nothing is clipped, at any
-// width and resolution, and no letter is smaller than 6 pt.
+// keys, a title, a caption and a last line in small type. A panel shows a scene, which a PanelSource
+// draws, a bifurcation diagram of one, or a line plot. The whole layout follows from measured text:
+// nothing overlaps and nothing is clipped, at any width and resolution, and no letter is smaller
+// than 6 pt.
 //
 // Texts are markup (plate/markup.h). {name} in a title or caption is replaced by a fact of the
 // panels: {alpha} by that of the first panel that has it, {b.alpha} by that of panel b; in a
@@ -22,6 +22,7 @@
 #include "colour/scale.h"
 #include "image/raster.h"
 #include "plate/font.h"
+#include "scene/scene.h"
 
 namespace versorium {
 
@@ -110,7 +111,7 @@ struct PlatePanel {
     bool keys = true;  // colour bar, versor key, legend
     // What replaces the names that the scene gives; empty: the scene's own.
     std::string xLabel, yLabel, barLabel;
-    Json scene = Json::object();
+    Scene scene;
     LinePlot plot;
     DiagramPlot diagram;           // of the panel's scene
     ProfilePlot profile;           // of the panel's scene
@@ -118,7 +119,6 @@ struct PlatePanel {
     PlateOverlay overlay;          // on a scene
 
     bool hasScene() const { return kind != PanelKind::plot; }
-    friend bool operator==(const PlatePanel&, const PlatePanel&) = default;
 };
 
 struct Plate {
@@ -133,11 +133,12 @@ struct Plate {
     std::string title, caption, note;
     int columns = 0;  // 0: by the number of panels
     std::vector<PlatePanel> panels;
-    friend bool operator==(const Plate&, const Plate&) = default;
 };
 
-// Strict: ErrorKind::data with the path to the fault. Every default is written out again.
-Expected<Plate> plateFromJson(const Json& value);
+// Strict: ErrorKind::data with the path to the fault. Scenes take what they name of `assets`. Every
+// default is written out again, so that no picture depends on later defaults.
+Expected<Plate> plateFromJson(const Json& value, const Json& assets = Json::object());
+// Without the assets of its scenes.
 Json plateToJson(const Plate& plate);
 
 // What a scene says about its picture before it is drawn.
@@ -169,26 +170,26 @@ struct DiagramPicture {
     std::vector<int> periods;  // of each column; 0: no cycle, -1: escapes
 };
 
-// How scenes become pictures; the renderer's side of the seam.
+// How scenes become pictures: by the renderer (plate/scene_panels.h), or as a test has it.
 struct PanelSource {
-    // Checks the scene and says all of the above, ranges of colour bars included.
-    std::function<Expected<PanelInfo>(const Json& scene)> describe;
+    // Says all of the above, ranges of colour bars included.
+    std::function<Expected<PanelInfo>(const Scene& scene)> describe;
     // Linear straight-alpha RGBA of exactly this size, row 0 on top. Outlines are to be
     // lineWidth pixels wide.
-    std::function<Expected<Raster<float>>(const Json& scene, Size pixels, double lineWidth)> draw;
+    std::function<Expected<Raster<float>>(const Scene& scene, Size pixels, double lineWidth)> draw;
     // The same of a bifurcation diagram.
-    std::function<Expected<PanelInfo>(const Json& scene, const DiagramPlot&)> describeDiagram = {};
-    std::function<Expected<DiagramPicture>(const Json& scene, const DiagramPlot&, Size pixels)>
+    std::function<Expected<PanelInfo>(const Scene& scene, const DiagramPlot&)> describeDiagram = {};
+    std::function<Expected<DiagramPicture>(const Scene& scene, const DiagramPlot&, Size pixels)>
         drawDiagram = {};
     // A line plot of what follows from a scene, and the facts of it.
-    std::function<Expected<std::pair<LinePlot, PanelInfo>>(const Json& scene, const ProfilePlot&)>
+    std::function<Expected<std::pair<LinePlot, PanelInfo>>(const Scene& scene, const ProfilePlot&)>
         profile = {};
     // Where the parameters of `other` lie on the first two axes of `scene`.
-    std::function<Expected<std::array<double, 2>>(const Json& scene, const Json& other)> locate =
+    std::function<Expected<std::array<double, 2>>(const Scene& scene, const Scene& other)> locate =
         {};
     // One part for each kind of curve or point. ErrorKind::usage where the scene is no dynamical
     // plane.
-    std::function<Expected<std::vector<OverlayPart>>(const Json& scene, const PlateOverlay&)>
+    std::function<Expected<std::vector<OverlayPart>>(const Scene& scene, const PlateOverlay&)>
         overlay = {};
 };
 

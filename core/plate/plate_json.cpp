@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/document.h"
 #include "plate/markup.h"
 #include "plate/plate.h"
 
@@ -191,7 +192,8 @@ bool goodName(const std::string& name) {
     return true;
 }
 
-Status readPanel(const Json& value, const std::string& path, PlatePanel& panel) {
+Status readPanel(const Json& value, const std::string& path, const Json& assets,
+                 PlatePanel& panel) {
     ObjectReader reader(value, path);
     std::string kind = "scene";
     reader.text("name", panel.name).word("kind", kind, {"scene", "plot", "diagram", "profile"});
@@ -208,7 +210,9 @@ Status readPanel(const Json& value, const std::string& path, PlatePanel& panel) 
     if (!goodName(panel.name)) reader.fail("name", "1 to 20 letters, digits or - are expected");
     if (const Json* scene = reader.child("scene")) {
         if (panel.kind == PanelKind::plot) reader.fail("scene", "a plot has no scene");
-        panel.scene = *scene;
+        Expected<Scene> read = sceneWithAssets(*scene, assets);
+        if (!read) return read.status().in(reader.pathOf("scene"));
+        panel.scene = *std::move(read);
     } else if (panel.hasScene()) {
         reader.fail("scene", "the scene is missing");
     }
@@ -300,7 +304,7 @@ Json panelToJson(const PlatePanel& panel) {
     if (panel.kind == PanelKind::plot)
         value["plot"] = plotToJson(panel.plot);
     else
-        value["scene"] = panel.scene;
+        value["scene"] = sceneBody(panel.scene);
     if (panel.kind == PanelKind::diagram) value["diagram"] = diagramToJson(panel.diagram);
     if (panel.kind == PanelKind::profile)
         value["profile"] = Json{{"aspect", panel.profile.aspect},
@@ -324,7 +328,7 @@ Json panelToJson(const PlatePanel& panel) {
 
 }  // namespace
 
-Expected<Plate> plateFromJson(const Json& value) {
+Expected<Plate> plateFromJson(const Json& value, const Json& assets) {
     Plate plate;
     ObjectReader reader(value, "");
     int version = Plate::kVersion;
@@ -348,7 +352,7 @@ Expected<Plate> plateFromJson(const Json& value) {
         PlatePanel panel;
         panel.name = static_cast<char>('a' + i);
         const std::string path = "panels[" + std::to_string(i) + "]";
-        reader.fail(readPanel((*panels)[i], path, panel));
+        reader.fail(readPanel((*panels)[i], path, assets, panel));
         for (const PlatePanel& other : plate.panels)
             if (other.name == panel.name)
                 reader.fail(Status::data(path + ".name: \"" + panel.name + "\" is taken"));

@@ -12,25 +12,6 @@ namespace {
 
 constexpr std::string_view kPlates = "plates/";
 
-Status assignPanel(PlateDocument& document, PlatePanel& panel, const Assignment& assignment) {
-    Expected<Scene> scene = sceneWithAssets(panel.scene, document.assets);
-    if (!scene) return scene.status();
-    if (Status status = assign(*scene, assignment); !status.ok()) return status;
-    panel.scene = withoutAssets(sceneToJson(*scene), document.assets);
-    return {};
-}
-
-// Assets that no panel names any more are dropped.
-Json assetsInUse(const PlateDocument& document) {
-    Json used = Json::object();
-    for (const PlatePanel& panel : document.plate.panels)
-        if (panel.hasScene()) {
-            Expected<Scene> scene = sceneWithAssets(panel.scene, document.assets);
-            if (scene) withoutAssets(sceneToJson(*scene), used);
-        }
-    return used;
-}
-
 }  // namespace
 
 std::vector<std::string> plateNames() {
@@ -42,9 +23,9 @@ std::vector<std::string> plateNames() {
 
 Expected<PlateDocument> plateFromDocument(const Document& document) {
     if (document.kind != "plate") return Status::data("a plate is expected, and this is a scene");
-    Expected<Plate> plate = plateFromJson(document.body);
+    Expected<Plate> plate = plateFromJson(document.body, document.assets);
     if (!plate) return plate.status();
-    PlateDocument result{std::move(*plate), document.assets, {}};
+    PlateDocument result{std::move(*plate), {}};
     ObjectReader reader(document.render, "render");
     reader.number("width_mm", result.options.widthMillimetres, 60, 2000)
         .number("dpi", result.options.dotsPerInch, 50, 2400)
@@ -52,14 +33,6 @@ Expected<PlateDocument> plateFromDocument(const Document& document) {
         .boolean("title", result.options.title)
         .boolean("caption", result.options.caption);
     if (const Status status = reader.finish(); !status.ok()) return status;
-    for (std::size_t i = 0; i < result.plate.panels.size(); ++i) {
-        PlatePanel& panel = result.plate.panels[i];
-        if (!panel.hasScene()) continue;
-        Expected<Scene> scene = sceneWithAssets(panel.scene, result.assets);
-        if (!scene) return scene.status().in("panels[" + std::to_string(i) + "].scene");
-        // Every default explicit: the picture must not depend on later defaults.
-        panel.scene = withoutAssets(sceneToJson(*scene), result.assets);
-    }
     return result;
 }
 
@@ -82,7 +55,8 @@ Document documentOfPlate(const PlateDocument& document) {
     Document carried;
     carried.kind = "plate";
     carried.body = plateToJson(document.plate);
-    carried.assets = assetsInUse(document);
+    for (const PlatePanel& panel : document.plate.panels)
+        if (panel.hasScene()) addAssets(panel.scene, carried.assets);
     carried.render = Json{{"width_mm", document.options.widthMillimetres},
                           {"dpi", document.options.dotsPerInch},
                           {"theme", document.options.theme},
@@ -96,21 +70,16 @@ Status assign(PlateDocument& document, const Assignment& assignment) {
     const std::string first = assignment.key.substr(0, dot);
     for (PlatePanel& panel : document.plate.panels)
         if (dot != std::string::npos && panel.name == first && panel.hasScene()) {
-            Expected<Scene> scene = sceneWithAssets(panel.scene, document.assets);
-            if (!scene) return scene.status();
             const Assignment own{assignment.key.substr(dot + 1), assignment.value};
-            if (!knowsKey(*scene, own.key))
+            if (!knowsKey(panel.scene, own.key))
                 return Status::usage("--set " + assignment.key + ": the scene of panel " + first +
                                      " has no key \"" + own.key + "\"");
-            return assignPanel(document, panel, own);
+            return assign(panel.scene, own);
         }
     int reached = 0;
     for (PlatePanel& panel : document.plate.panels) {
-        if (!panel.hasScene()) continue;
-        Expected<Scene> scene = sceneWithAssets(panel.scene, document.assets);
-        if (!scene) return scene.status();
-        if (!knowsKey(*scene, assignment.key)) continue;
-        if (Status status = assignPanel(document, panel, assignment); !status.ok()) return status;
+        if (!panel.hasScene() || !knowsKey(panel.scene, assignment.key)) continue;
+        if (Status status = assign(panel.scene, assignment); !status.ok()) return status;
         ++reached;
     }
     if (reached > 0) return {};
@@ -128,7 +97,7 @@ Expected<PlateFile> renderPlate(CpuRenderer& renderer, const PlateDocument& docu
     job.setPart(0, 0);  // until the first panel is drawn
     Expected<PlatePicture> picture =
         layoutPlate(document.plate, document.options,
-                    scenePanels(renderer, document.assets, Words(document.plate.language), job,
+                    scenePanels(renderer, Words(document.plate.language), job,
                                 std::max(1, static_cast<int>(panels))));
     if (!picture) return picture.status();
     PngOptions png;

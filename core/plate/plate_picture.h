@@ -8,10 +8,9 @@
 
 namespace versorium {
 
-// A plate with the assets of its scenes and how it is to be made.
+// A plate and how it is to be made.
 struct PlateDocument {
     Plate plate;
-    Json assets = Json::object();
     PlateOptions options;
 };
 

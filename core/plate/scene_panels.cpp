@@ -389,58 +389,37 @@ Expected<std::vector<OverlayPart>> overlayOf(CpuRenderer& renderer, const Scene&
     return parts;
 }
 
-PanelSource scenePanels(CpuRenderer& renderer, const Json& assets, const Words& words, Job& job,
-                        int panels) {
+PanelSource scenePanels(CpuRenderer& renderer, const Words& words, Job& job, int panels) {
     PanelSource source;
     const auto drawn = std::make_shared<int>(0);
-    source.describe = [&renderer, assets, words, &job](const Json& json) -> Expected<PanelInfo> {
-        Expected<Scene> scene = sceneWithAssets(json, assets);
-        if (!scene) return scene.status();
-        return describeScene(renderer, *scene, words, job);
+    source.describe = [&renderer, words, &job](const Scene& scene) {
+        return describeScene(renderer, scene, words, job);
     };
-    source.draw = [&renderer, assets, &job, panels, drawn](
-                      const Json& json, Size pixels, double lineWidth) -> Expected<Raster<float>> {
-        Expected<Scene> scene = sceneWithAssets(json, assets);
-        if (!scene) return scene.status();
+    source.draw = [&renderer, &job, panels, drawn](const Scene& scene, Size pixels,
+                                                   double lineWidth) -> Expected<Raster<float>> {
         job.setPart(static_cast<double>(*drawn) / panels,
                     std::min(1.0, static_cast<double>(*drawn + 1) / panels));
         ++*drawn;
         Frame frame;
         const RenderOptions options{.lineWidth = lineWidth};
-        if (Status status = renderer.render(*scene, pixels, options, job, frame); !status.ok())
+        if (Status status = renderer.render(scene, pixels, options, job, frame); !status.ok())
             return status;
         return std::move(frame.colour);
     };
-    source.describeDiagram = [&renderer, assets, words, &job](
-                                 const Json& json, const DiagramPlot& plot) -> Expected<PanelInfo> {
-        Expected<Scene> scene = sceneWithAssets(json, assets);
-        return scene ? describeDiagram(renderer, *scene, plot, words, job) : scene.status();
+    source.describeDiagram = [&renderer, words, &job](const Scene& scene, const DiagramPlot& plot) {
+        return describeDiagram(renderer, scene, plot, words, job);
     };
-    source.drawDiagram = [&renderer, assets, &job](const Json& json, const DiagramPlot& plot,
-                                                   Size pixels) -> Expected<DiagramPicture> {
-        Expected<Scene> scene = sceneWithAssets(json, assets);
-        return scene ? drawDiagram(renderer, *scene, plot, pixels, job) : scene.status();
+    source.drawDiagram = [&renderer, &job](const Scene& scene, const DiagramPlot& plot,
+                                           Size pixels) {
+        return drawDiagram(renderer, scene, plot, pixels, job);
     };
-    source.overlay = [&renderer, assets, words, &job](
-                         const Json& json,
-                         const PlateOverlay& overlay) -> Expected<std::vector<OverlayPart>> {
-        Expected<Scene> scene = sceneWithAssets(json, assets);
-        return scene ? overlayOf(renderer, *scene, overlay, words, job) : scene.status();
+    source.overlay = [&renderer, words, &job](const Scene& scene, const PlateOverlay& overlay) {
+        return overlayOf(renderer, scene, overlay, words, job);
     };
-    source.profile = [&renderer, assets, words, &job](
-                         const Json& json,
-                         const ProfilePlot& plot) -> Expected<std::pair<LinePlot, PanelInfo>> {
-        Expected<Scene> scene = sceneWithAssets(json, assets);
-        if (!scene) return scene.status();
-        return plotProfile(renderer, *scene, plot, words, job);
+    source.profile = [&renderer, words, &job](const Scene& scene, const ProfilePlot& plot) {
+        return plotProfile(renderer, scene, plot, words, job);
     };
-    source.locate = [assets](const Json& json,
-                             const Json& otherJson) -> Expected<std::array<double, 2>> {
-        Expected<Scene> scene = sceneWithAssets(json, assets);
-        if (!scene) return scene.status();
-        Expected<Scene> other = sceneWithAssets(otherJson, assets);
-        return other ? locateScene(*scene, *other) : other.status();
-    };
+    source.locate = locateScene;
     return source;
 }
 

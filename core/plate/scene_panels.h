@@ -10,10 +10,8 @@
 
 namespace versorium {
 
-// `renderer` and `job` outlive the source. `assets` are those of the plate's document, of whose
-// scenes there are `panels`: each draws its part of the job.
-PanelSource scenePanels(CpuRenderer& renderer, const Json& assets, const Words& words, Job& job,
-                        int panels);
+// `renderer` and `job` outlive the source. Of `panels` scenes each draws its part of the job.
+PanelSource scenePanels(CpuRenderer& renderer, const Words& words, Job& job, int panels);
 
 Expected<PanelInfo> describeScene(CpuRenderer& renderer, const Scene& scene, const Words& words,
                                   Job& job);

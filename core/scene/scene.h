@@ -158,6 +158,11 @@ Expected<Scene> sceneOfMap(const std::string& nameOrFormula);
 Expected<Scene> sceneFromJson(const Json& value);
 // Every default explicit.
 Json sceneToJson(const Scene& scene);
+// The same without the assets' bytes: they are named by their SHA-256, so equal texts are equal
+// scenes.
+Json sceneBody(const Scene& scene);
+// As the scene's JSON holds it.
+Json assetToJson(const Asset& asset);
 
 // Puts an asset in and returns its name for ShapeSpec::source.
 std::string addAsset(Scene& scene, Asset asset);

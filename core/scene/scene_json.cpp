@@ -68,16 +68,22 @@ Expected<Scene> sceneFromJson(const Json& value) {
     return scene;
 }
 
+Json assetToJson(const Asset& asset) {
+    return Json{{"name", asset.name}, {"data", base64Encode(asset.bytes)}};
+}
+
 Json sceneToJson(const Scene& scene) {
+    Json json = sceneBody(scene);
+    for (const auto& [hash, asset] : scene.assets) json["assets"][hash] = assetToJson(*asset);
+    return json;
+}
+
+Json sceneBody(const Scene& scene) {
     Json json;
     json["versorium"] = Scene::kVersion;
     json["map"] = scene.map;
     if (scene.formula) json["formula"] = scene.formula->formula().text;
     writeProperties(scene, sceneTable(), json);
-    if (!scene.assets.empty())
-        for (const auto& [hash, asset] : scene.assets)
-            json["assets"][hash] =
-                Json{{"name", asset->name}, {"data", base64Encode(asset->bytes)}};
     return json;
 }
 

@@ -72,7 +72,7 @@ PlateDocument plateOfViews(const Workspace& workspace, const std::vector<double>
         panel.name = static_cast<char>('a' + plate.panels.size());
         panel.title = words.tr(showsParameters(scenes.back()) ? trLater("Parameters")
                                                               : trLater("Starting points"));
-        panel.scene = withoutAssets(sceneToJson(scenes.back()), document.assets);
+        panel.scene = scenes.back();
         plate.panels.push_back(std::move(panel));
     }
     const MapInfo& info = mapOf(scenes[0]).info;
@@ -123,7 +123,8 @@ Expected<Document> exportDocument(const Workspace& workspace, const std::vector<
                     std::max(1, static_cast<int>(std::lround(options.width / aspects[view])))};
     if (Status status = checkSize(scene, size); !status.ok()) return status;
     Document document;
-    document.body = withoutAssets(sceneToJson(scene), document.assets);
+    document.body = sceneBody(scene);
+    addAssets(scene, document.assets);
     document.render = Json{{"width", size.width}, {"height", size.height}, {"flavour", "exact"}};
     return document;
 }

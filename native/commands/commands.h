@@ -12,7 +12,7 @@
 #include "base/json.h"
 #include "base/status.h"
 #include "jobs/job.h"
-#include "render/renderer.h"
+#include "render/frame.h"
 
 namespace versorium {
 

@@ -6,7 +6,8 @@
 #include "maps/critical.h"
 #include "plate/plate_picture.h"
 #include "render/bind.h"
-#include "render/glsl/shader.h"
+#include "render/glsl/colour_shader.h"
+#include "render/glsl/orbit_shader.h"
 #include "render/movie.h"
 #include "scene/scene.h"
 
@@ -78,10 +79,17 @@ Status listPalettes(bool json) {
     return print(json ? printJson(all) : text);
 }
 
-Status printGlsl(const std::string& name) {
+Status printGlsl(const std::string& name, const std::string& pass) {
     Expected<Scene> scene = sceneOfMap(name);
     if (!scene) return scene.status();
-    return print(escapeShader(mapOf(*scene).trace()));
+    if (pass == "colours") return print(colourShader());
+    if (pass != "orbits")
+        return Status::usage("--pass must be orbits or colours, not \"" + pass + "\"");
+    Binder binder;
+    Job job(1);
+    Expected<OrbitProgram> program = binder.bind(*scene, job);
+    if (!program) return program.status();
+    return print(orbitShader(*scene, *program).text);
 }
 
 std::string numberText(const double* value, int width) {
@@ -153,12 +161,18 @@ void addListCommands(CommandLine& line) {
     schema->add_flag("--json", *json, "as JSON, which it is anyway");
     line.run(schema, [] { return print(printJson(sceneSchema())); });
 
-    CLI::App* glsl =
-        line.add("glsl", "Print a map as a GLSL ES 3.00 fragment shader, as its tape gives it.",
-                 "  versorium glsl quadratic\n  versorium glsl mandelbulb > mandelbulb.frag\n");
+    CLI::App* glsl = line.add(
+        "glsl", "Print the GLSL ES 3.00 fragment shaders that the studio draws a map with.",
+        "  versorium glsl quadratic\n"
+        "  versorium glsl mandelbulb > mandelbulb.frag\n"
+        "  versorium glsl mandelbulb --pass colours\n\n"
+        "The first pass iterates orbits a few steps at a time and keeps them; the second\n"
+        "turns them into fields and colours, and is the same for all maps.\n");
     const auto name = std::make_shared<std::string>();
+    const auto pass = std::make_shared<std::string>("orbits");
     glsl->add_option("MAP", *name, "name of a map, or a formula")->required();
-    line.run(glsl, [name] { return printGlsl(*name); });
+    glsl->add_option("--pass", *pass, "which of the two: orbits (default) or colours");
+    line.run(glsl, [name, pass] { return printGlsl(*name, *pass); });
 
     CLI::App* formula = line.add(
         "formula", "Check a formula of your own, and say what it was read as.",

@@ -55,7 +55,7 @@ Status writeSheet(const RootsRequest& request, const Scene& scene, const std::st
         panel.name = static_cast<char>('a' + i);
         panel.title = "seed " + std::to_string(request.seed + i);
         panel.keys = i == 0;
-        panel.scene = withoutAssets(sceneToJson(own), document.assets);
+        panel.scene = std::move(own);
         document.plate.panels.push_back(std::move(panel));
     }
     Job job(threads);

@@ -31,6 +31,14 @@ for name in $names; do
         failures=$((failures + 1))
     fi
 done
+shader=$folder/colours.frag
+"$versorium" glsl quadratic --pass colours >"$shader"
+count=$((count + 1))
+if ! glslangValidator -S frag "$shader" >"$folder/log"; then
+    echo "colours:"
+    cat "$folder/log"
+    failures=$((failures + 1))
+fi
 # What users type reaches the shader through the tape alone.
 while IFS= read -r formula; do
     shader=$folder/formula.frag

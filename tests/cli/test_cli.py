@@ -457,6 +457,7 @@ class BadInput(CommandLine):
         self.refused(USAGE, "render", "nonsense", *self.out(), says=("nonsense", "mandelbrot"))
         self.refused(USAGE, "plate", "nonsense", *self.out(), says="quadratic")
         self.refused(USAGE, "glsl", "nonsense", says="maps")
+        self.refused(USAGE, "glsl", "quadratic", "--pass", "colour", says="orbits or colours")
         self.refused(USAGE, "no-such-command")
         self.refused(USAGE, "render")
         self.refused(USAGE, "render", "julia", *self.out(), "--flavour", "hot", says="exact")

@@ -35,7 +35,7 @@ Scene discs(int count) {
 }
 
 std::vector<Raster<float>> onGraphics(const Scene& scene) {
-    GpuRenderer gpu;
+    GpuDevice gpu;
     GpuPicture picture(gpu);
     std::vector<Raster<float>> rasters;
     Status status = picture.start(scene, kSize);
@@ -133,7 +133,7 @@ TEST(GpuAveraged, NumbersFromDiscsAndRanges) {
 }
 
 TEST(GpuAveraged, GoesOnWhenTheEnsembleGrows) {
-    GpuRenderer gpu;
+    GpuDevice gpu;
     GpuPicture picture(gpu);
     Scene scene = star(20);
     ASSERT_TRUE(picture.start(scene, kSize).ok());
@@ -165,7 +165,7 @@ TEST(GpuAveraged, ColoursAndContoursAreThoseOfTheProcessor) {
         Scene scene = star(40);
         scene.samples = samples;
         scene.colour.contours = {0.25, 0.5, 0.75};
-        GpuRenderer gpu;
+        GpuDevice gpu;
         GpuPicture picture(gpu);
         ASSERT_TRUE(picture.start(scene, kSize, {.samples = samples}).ok());
         ASSERT_TRUE(picture.finish().ok());
@@ -190,7 +190,7 @@ TEST(GpuAveraged, ColoursAndContoursAreThoseOfTheProcessor) {
 }
 
 TEST(GpuAveraged, SaysWhatTheProcessorHasToCount) {
-    GpuRenderer gpu;
+    GpuDevice gpu;
     GpuPicture picture(gpu);
     const auto refused = [&](const Scene& scene, const char* word) {
         const Status status = picture.start(scene, kSize);

@@ -60,7 +60,7 @@ std::vector<Raster<double>> onProcessor(const Scene& scene, const std::vector<Fi
 // value the processor itself keeps when all starts move by kShift. On a chaotic set errors double
 // with every step, and 100 steps leave nothing of 24 bits.
 void compare(const Scene& scene, double least, const std::vector<FieldName>& fields = kCarried) {
-    GpuRenderer gpu;
+    GpuDevice gpu;
     GpuPicture picture(gpu);
     const Status started = picture.start(scene, kSize);
     ASSERT_TRUE(started.ok()) << scene.map << ": " << started.message();

@@ -74,7 +74,7 @@ TEST(GpuPicture, ColoursAreThoseOfTheProcessor) {
             scene.samples = samples;
             scene.colour = {};
             scene.colour.rule = rule;
-            GpuRenderer gpu;
+            GpuDevice gpu;
             GpuPicture picture(gpu);
             const Status status = picture.start(scene, kSize, {.samples = samples});
             ASSERT_TRUE(status.ok()) << status.message();
@@ -90,7 +90,7 @@ TEST(GpuPicture, ColoursAreThoseOfTheProcessor) {
 
 TEST(GpuPicture, InFewPixelsIsThePictureThere) {
     Scene scene = mandelbrot();
-    GpuRenderer gpu;
+    GpuDevice gpu;
     GpuPicture picture(gpu);
     Raster<unsigned char> small;
     EXPECT_FALSE(picture.readSmall({4, 3}, small).ok());
@@ -106,7 +106,7 @@ TEST(GpuPicture, InFewPixelsIsThePictureThere) {
 }
 
 TEST(GpuPicture, RecolouringDoesNotIterate) {
-    GpuRenderer gpu;
+    GpuDevice gpu;
     GpuPicture picture(gpu);
     Scene scene = mandelbrot();
     ASSERT_TRUE(picture.start(scene, kSize).ok());
@@ -122,7 +122,7 @@ TEST(GpuPicture, RecolouringDoesNotIterate) {
 }
 
 TEST(GpuPicture, SplittingChangesNothing) {
-    GpuRenderer gpu;
+    GpuDevice gpu;
     GpuPicture once(gpu), often(gpu);
     const Scene scene = mandelbrot();
     ASSERT_TRUE(once.start(scene, kSize).ok());
@@ -135,7 +135,7 @@ TEST(GpuPicture, SplittingChangesNothing) {
 }
 
 TEST(GpuPicture, StartsAnewInTheMiddle) {
-    GpuRenderer gpu;
+    GpuDevice gpu;
     GpuPicture picture(gpu), fresh(gpu);
     Scene slow = mandelbrot();
     slow.iterations = 100000;
@@ -151,7 +151,7 @@ TEST(GpuPicture, StartsAnewInTheMiddle) {
 }
 
 TEST(GpuPicture, ComesBackAfterALostContext) {
-    GpuRenderer gpu;
+    GpuDevice gpu;
     GpuPicture picture(gpu);
     ASSERT_TRUE(picture.start(mandelbrot(), kSize).ok());
     finish(picture);
@@ -167,7 +167,7 @@ TEST(GpuPicture, ComesBackAfterALostContext) {
 }
 
 TEST(GpuPicture, SaysWhatTheProcessorHasToDraw) {
-    GpuRenderer gpu;
+    GpuDevice gpu;
     GpuPicture picture(gpu);
     const auto refused = [&](const Scene& scene, const char* word) {
         const Status status = picture.start(scene, kSize);

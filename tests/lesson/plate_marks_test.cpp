@@ -17,7 +17,7 @@ std::vector<PlatePanel> marked(const std::string& lines) {
     const Expected<Workspace> stage = changed(workspaceOf(*presetNamed("mandelbrot")), *read);
     EXPECT_TRUE(stage) << stage.status().message();
     Plate plate;
-    for (const Scene& view : stage->views) plate.panels.emplace_back().scene = sceneToJson(view);
+    for (const Scene& view : stage->views) plate.panels.emplace_back().scene = view;
     markPanels(*stage, plate);
     return plate.panels;
 }

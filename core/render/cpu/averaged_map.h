@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "image/raster.h"
-#include "render/renderer.h"
+#include "jobs/job.h"
+#include "render/frame.h"
+#include "scene/scene.h"
 
 namespace versorium {
 

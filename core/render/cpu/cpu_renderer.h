@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The renderer on the processor: threads, tiles, cancel and progress.
+// Turns scenes into pictures and fields on the processor: threads, tiles, cancel and progress. The
+// values never depend on threads or on how the picture is split.
 
 #include "fields/evaluate.h"
 #include "render/bind.h"
 #include "render/cpu/averaged_map.h"
+#include "render/frame.h"
 #include "render/layers.h"
-#include "render/renderer.h"
 
 namespace versorium {
 
-class CpuRenderer final : public Renderer {
+class CpuRenderer {
   public:
     Status render(const Scene& scene, Size size, const RenderOptions& options, Job& job,
-                  Frame& frame) override;
+                  Frame& frame);
     // From now on pictures of this map's scene and size, in whatever colours, show the members that
     // it has counted instead of counting all; so do measurements where a pixel has one sample.
     // Null: no longer.

@@ -159,49 +159,8 @@ float fieldAt(vec3 p) {
 
 )";
 
-// COUNT numbers fix an orbit: D of the state, P parameters, 4 overrides.
-constexpr const char* kFrame = R"(
-uniform float uOrigin[COUNT];
-uniform float uRight[COUNT];
-uniform float uUp[COUNT];
-uniform vec2 uCentre;
-uniform float uPixel;
-uniform vec2 uSize;
-uniform int uIterations;
-uniform float uSquaredRadius;
-
-layout(location = 0) out vec4 outFields;
-layout(location = 1) out vec4 outState;
-
-float squaredNorm(float state[D]) {
-    float sum = 0.0;
-    for (int k = 0; k < D; ++k) sum += state[k] * state[k];
-    return sum;
-}
-float number(int k, vec2 uv) {
-    return uOrigin[k] + uv.x * uRight[k] + uv.y * uUp[k];
-}
-void main() {
-    vec2 uv = uCentre + (gl_FragCoord.xy - 0.5 * uSize) * uPixel;
-    float state[D];
-    float parameters[P];
-    for (int k = 0; k < D; ++k) state[k] = number(k, uv);
-    for (int k = 0; k < P; ++k) parameters[k] = number(D + k, uv);
-    for (int k = 0; k < 4; ++k) overrideValue[k] = number(D + P + k, uv);
-    int n = 0;
-    float norm = squaredNorm(state);
-    while (norm <= uSquaredRadius && n < uIterations) {
-        mapStep(state, parameters);
-        norm = squaredNorm(state);
-        ++n;
-    }
-    outFields = vec4(float(n), norm, norm <= uSquaredRadius ? 0.0 : 1.0, 0.0);
-    outState = vec4(state[0], D > 1 ? state[min(1, D - 1)] : 0.0, D > 2 ? state[min(2, D - 1)] : 0.0,
-                    D > 3 ? state[D - 1] : 0.0);
-}
-)";
-
-// What the iteration and the counting begin with. uNumbers holds each number of an orbit at the
+// What the iteration and the counting begin with. COUNT numbers fix an orbit: D of the state, P
+// parameters, 4 overrides. uNumbers holds each number of an orbit at the
 // middle of the picture, and what it grows by from pixel to pixel to the right and up. Comparisons
 // with NaN are what optimisers get wrong, so its bits are looked at.
 constexpr const char* kOrbit = R"(
@@ -366,10 +325,6 @@ std::string countingShader(const Tape& tape, const Tape* shape, int drawn) {
            "\n#define FIRST_ROW " + std::to_string(2 * kMostLists) + "\n" + kLibrary +
            kMemberLists + (shape ? shapeField(*shape) : std::string(kGridField)) + glslStep(tape) +
            kOrbit + kCounting;
-}
-
-std::string escapeShader(const Tape& tape) {
-    return kShaderHead + sizesOf(tape) + kLibrary + kLists + kGridField + glslStep(tape) + kFrame;
 }
 
 }  // namespace versorium

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The GLSL ES 3.00 frame around a map's generated step: source text only. The fragment shader takes
-// a pixel through the slice, iterates until escape, and writes fields:
-//   outFields  (step of escape or N, squared norm of the last iterate, 1 when escaped, 0)
-//   outState   the last iterate
-// Lists of roots come as a texture (RGBA32F, two rows a list: components, then powers), the
-// distance grid as a 3D texture (R32F) that is interpolated by hand.
+// The GLSL ES 3.00 frames around a map's generated step: source text only. Lists of roots come as a
+// texture (RGBA32F, two rows a list: components, then powers), the distance grid as a 3D texture
+// (R32F) that is interpolated by hand. An override sets one component of a root.
 
 #include <string>
 
@@ -16,10 +13,9 @@ namespace versorium {
 // What every fragment shader begins with: the version, and all precisions.
 extern const char* const kShaderHead;
 
-std::string escapeShader(const Tape& tape);
-
-// The same orbit a few steps at a time, with its state kept in textures between draws:
-//   outFields  (n, squared norm, 1 when escaped, attraction step or 0)
+// Takes a pixel through the slice and iterates until escape, a few steps at a time, with the
+// orbit's state kept in textures between draws:
+//   outFields  (n, squared norm of the last iterate, 1 when escaped, attraction step or 0)
 //   outState   z_n
 //   outImage   f(z_0), written by the first draw only
 // `shape` is the recorded distance of an analytic shape (3 numbers of state; its constants are its

@@ -2,7 +2,7 @@
 // The window's part of the list of controls: views, theme, language, exports, lessons, commands.
 #include <algorithm>
 
-#include "render/renderer.h"
+#include "render/frame.h"
 #include "ui/controls/control_list.h"
 
 namespace versorium {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "plate/plate_picture.h"
-#include "render/renderer.h"
+#include "render/frame.h"
 #include "ui/session/context.h"
 #include "ui/widgets/help.h"
 #include "ui/widgets/panel_parts.h"

@@ -30,7 +30,8 @@ Workspace firstWorkspace() {
 
 std::string documentText(const Scene& scene) {
     Document document;
-    document.body = withoutAssets(sceneToJson(scene), document.assets);
+    document.body = sceneBody(scene);
+    addAssets(scene, document.assets);
     return printJson(documentToJson(document));
 }
 

@@ -101,7 +101,7 @@ struct StudioContext {
     Host& host;
     Workspace workspace;
     History history;
-    GpuRenderer gpu;  // before the views, whose pictures are made with it
+    GpuDevice gpu;  // before the views, whose pictures are made with it
     RendererChoice renderer = RendererChoice::automatic;
     std::array<ViewState, kMostViews> views;
     std::uint64_t revision = 1;

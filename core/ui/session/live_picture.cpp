@@ -57,17 +57,17 @@ void LivePicture::want(Host& host, const GpuUse& gpu, int view, const LiveScene&
     now_ = host.now();
     if (scene.moves) movedAt_ = now_;
     held_ = false;
-    const bool same = scene.text == wanted_ && size == place_.size && gpu.renderer == wantedFrom_;
+    const bool same = scene.text == wanted_ && size == place_.size && gpu.device == wantedFrom_;
     if (same && (waiting() || stage_ == kFinished)) return;
     if (!same) {
         const bool sameOrbits = size == place_.size && scene.orbits == orbits_;
-        const bool onlyColours = gpu.renderer && gpu.renderer == wantedFrom_ &&
-                                 size == place_.size && scene.orbits == gpuOrbits_;
+        const bool onlyColours = gpu.device && gpu.device == wantedFrom_ && size == place_.size &&
+                                 scene.orbits == gpuOrbits_;
         orbits_ = scene.orbits;
         goal_ = showsEnsemble(scene.scene) ? scene.scene.ensemble.count : 0;
         portion_ = kFirstPortion;
         wanted_ = scene.text;
-        wantedFrom_ = gpu.renderer;
+        wantedFrom_ = gpu.device;
         place_ = scene.place;
         finest_ = scene.scene.samples;
         if (asked_ != 0) host.dropPicture(view);
@@ -107,7 +107,7 @@ bool LivePicture::askGpu(Host& host, const GpuUse& gpu, const LiveScene& scene, 
                          int samples) {
     gpuOrbits_.clear();
     why_ = gpu.whyNot;
-    if (!gpu.renderer) return false;
+    if (!gpu.device) return false;
     if (wanted_ == refused_) {
         why_ = refusedWhy_;
         return false;
@@ -121,7 +121,7 @@ bool LivePicture::askGpu(Host& host, const GpuUse& gpu, const LiveScene& scene, 
         why_ = trLater("its shape is made into a distance grid there");
         return false;
     }
-    if (!gpu_) gpu_ = std::make_unique<GpuPicture>(*gpu.renderer);
+    if (!gpu_) gpu_ = std::make_unique<GpuPicture>(*gpu.device);
     if (Status status = gpu_->start(scene.scene, *scene.program, size,
                                     {samples, kGround, std::max(1.0, size.height / 400.0)});
         !status.ok()) {

@@ -31,7 +31,7 @@ struct LiveScene {
 
 // Who may draw: null where the graphics processor must not, with the reason.
 struct GpuUse {
-    GpuRenderer* renderer = nullptr;
+    GpuDevice* device = nullptr;
     std::string whyNot;
 };
 
@@ -93,7 +93,7 @@ class LivePicture {
     void toTexture();
 
     std::string wanted_;  // what is asked for
-    GpuRenderer* wantedFrom_ = nullptr;
+    GpuDevice* wantedFrom_ = nullptr;
     Viewport place_;
     int finest_ = 2;
     int stage_ = 0;  // coarse, one sample for each pixel, several, finished

@@ -236,9 +236,7 @@ Status openPlate(StudioContext& context, const std::string& name, const PlateDoc
     auto first = ofKind(PanelKind::scene);
     if (first == panels.end()) first = ofKind(PanelKind::diagram);
     if (first == panels.end()) return Status::data("this plate has no scene, only plots");
-    Expected<Scene> scene = sceneWithAssets(first->scene, plate.assets);
-    if (!scene) return scene.status();
-    Workspace workspace = workspaceOf(*scene);
+    Workspace workspace = workspaceOf(first->scene);
     if (first->kind == PanelKind::diagram) {
         const DiagramPlot& plot = first->diagram;
         workspace.diagram = {plot.parameter, plot.from, plot.to};

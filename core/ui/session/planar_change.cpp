@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "maps/critical.h"
-#include "render/renderer.h"
+#include "render/frame.h"
 
 namespace versorium {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What all pictures on the graphics processor share: the context's limits, the programs by their
-// text, and the objects that every draw needs. OpenGL ES 3.0 with float render targets; a context
-// must be current whenever anything of this room is called, always on the same thread.
+// The graphics processor as all pictures on it share it: the context's limits, the programs by
+// their text, and the objects that every draw needs. OpenGL ES 3.0 with float render targets; a
+// context must be current whenever anything of this room is called, always on the same thread.
 //
 // Nothing here is deleted by a destructor: names die with their context. `forget` drops them when
 // the context was lost.
@@ -27,11 +27,11 @@ struct GpuLimits {
     bool software = false;
 };
 
-class GpuRenderer {
+class GpuDevice {
   public:
-    GpuRenderer() = default;
-    GpuRenderer(const GpuRenderer&) = delete;
-    GpuRenderer& operator=(const GpuRenderer&) = delete;
+    GpuDevice() = default;
+    GpuDevice(const GpuDevice&) = delete;
+    GpuDevice& operator=(const GpuDevice&) = delete;
 
     // Looks the context over, once. Says what is missing where pictures cannot be drawn here.
     Status prepare();

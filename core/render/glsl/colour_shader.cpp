@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "gpu/colour_shader.h"
+#include "render/glsl/colour_shader.h"
 
 #include "colour/scale.h"
 #include "fields/field_names.h"

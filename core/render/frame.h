@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Turns scenes into pictures and fields. The values never depend on threads or on how the picture
-// is split.
+// A picture before it is a file: how it is computed, in what it is held, and which sizes it may
+// have.
 
-#include <string>
-#include <vector>
-
-#include "fields/field_names.h"
 #include "image/raster.h"
-#include "jobs/job.h"
 #include "maps/orbit_batch.h"
 #include "scene/scene.h"
 
@@ -30,12 +25,5 @@ inline constexpr long long kMostSamplesInAll = 1LL << 28;  // pixels times sampl
 
 // ErrorKind::usage for a size that makes no sense.
 Status checkSize(const Scene& scene, Size size);
-
-class Renderer {
-  public:
-    virtual ~Renderer() = default;
-    virtual Status render(const Scene& scene, Size size, const RenderOptions& options, Job& job,
-                          Frame& frame) = 0;
-};
 
 }  // namespace versorium

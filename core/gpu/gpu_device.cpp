@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "gpu/gpu_renderer.h"
+#include "gpu/gpu_device.h"
 
 #include <string_view>
 
@@ -62,7 +62,7 @@ void clearErrors() {
 
 }  // namespace
 
-Status GpuRenderer::prepare() {
+Status GpuDevice::prepare() {
     if (prepared_) return prepareStatus_;
     prepared_ = true;
     clearErrors();
@@ -100,7 +100,7 @@ Status GpuRenderer::prepare() {
     return prepareStatus_;
 }
 
-void GpuRenderer::forget() {
+void GpuDevice::forget() {
     programs_.clear();
     vertexArray_ = 0;
     prepared_ = false;
@@ -108,7 +108,7 @@ void GpuRenderer::forget() {
     ++generation_;
 }
 
-void GpuRenderer::begin(Entry& entry, const std::string& fragmentText) {
+void GpuDevice::begin(Entry& entry, const std::string& fragmentText) {
     entry.vertex = shader(GL_VERTEX_SHADER, kVertexText);
     entry.fragment = shader(GL_FRAGMENT_SHADER, fragmentText.c_str());
     entry.name = glCreateProgram();
@@ -118,7 +118,7 @@ void GpuRenderer::begin(Entry& entry, const std::string& fragmentText) {
     entry.begun = true;
 }
 
-void GpuRenderer::finish(Entry& entry) {
+void GpuDevice::finish(Entry& entry) {
     GLint good = 0;
     glGetProgramiv(entry.name, GL_LINK_STATUS, &good);
     if (!good) {
@@ -141,7 +141,7 @@ void GpuRenderer::finish(Entry& entry) {
     entry.linked = true;
 }
 
-GpuRenderer::Program GpuRenderer::program(const std::string& fragmentText, bool wait) {
+GpuDevice::Program GpuDevice::program(const std::string& fragmentText, bool wait) {
     auto found = programs_.find(fragmentText);
     if (found == programs_.end()) {
         // Far more than the maps there are; shapes of many forms could fill it otherwise.
@@ -170,7 +170,7 @@ GpuRenderer::Program GpuRenderer::program(const std::string& fragmentText, bool 
     return {entry.name, entry.status};
 }
 
-void GpuRenderer::drawQuad() {
+void GpuDevice::drawQuad() {
     glBindVertexArray(vertexArray_);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindVertexArray(0);
