@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The words of enumerations: what a value is called in files, on the command line and, through
-// tr(), in the interface. Each enumeration has one table, a specialisation of `EnumWords` that stands
-// beside it, in the order of its values.
+// tr(), in the interface. Each enumeration has one table, a specialisation of `EnumWords` that
+// stands beside it, in the order of its values.
 
 #include <array>
 #include <optional>
@@ -18,7 +18,9 @@ template <class E>
 struct EnumWords;
 
 template <class E>
-concept Worded = requires { EnumWords<E>::table.size(); };
+concept Worded = requires {
+    EnumWords<E>::table.size();
+};
 
 template <Worded E>
 constexpr std::string_view wordOf(E value) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // A plate is a figure for print or projection: a grid of lettered panels with axes, colour bars and
-// keys, a title, a caption and a last line in small type. A panel shows a scene, which a PanelSource
-// draws, a bifurcation diagram of one, or a line plot. The whole layout follows from measured text:
-// nothing overlaps and nothing is clipped, at any width and resolution, and no letter is smaller
-// than 6 pt.
+// keys, a title, a caption and a last line in small type. A panel shows a scene, which a
+// PanelSource draws, a bifurcation diagram of one, or a line plot. The whole layout follows from
+// measured text: nothing overlaps and nothing is clipped, at any width and resolution, and no
+// letter is smaller than 6 pt.
 //
 // Texts are markup (plate/markup.h). {name} in a title or caption is replaced by a fact of the
 // panels: {alpha} by that of the first panel that has it, {b.alpha} by that of panel b; in a

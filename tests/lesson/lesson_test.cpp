@@ -44,7 +44,7 @@ TEST(EveryLesson, IsWithoutFaultsAndIsDrawn) {
             PlateDocument plate = plateOfStep(*lesson, k);
             // A thousand maps are as many as fifty to the layout.
             for (PlatePanel& panel : plate.plate.panels)
-                if (panel.scene.contains("ensemble")) panel.scene["ensemble"]["count"] = 50;
+                if (panel.scene.ensemble.varies()) panel.scene.ensemble.count = 50;
             plate.options.widthMillimetres = 89;
             plate.options.dotsPerInch = 72;
             Job job;

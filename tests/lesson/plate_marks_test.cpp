@@ -79,7 +79,7 @@ TEST(PlateOverlayParts, AreReadAsTheyAreWritten) {
     Plate plate;
     plate.panels.resize(1);
     plate.panels[0].name = "a";
-    plate.panels[0].scene = sceneToJson(*presetNamed("julia"));
+    plate.panels[0].scene = *presetNamed("julia");
     plate.panels[0].overlay.parts = {{"orbit", false, {{{0.5, 0.25}, {1, -1}}, {{0, 0}}}},
                                      {"start", true, {{{0.5, 0.25}}}}};
     const Json json = plateToJson(plate);

@@ -31,7 +31,8 @@ void tryValue(Scene scene, const std::string& key, const std::string& value) {
         EXPECT_NE(status.message().find(key), std::string::npos) << status.message();
         return;
     }
-    expectBounded(scene, scene.map + " " + key + "=" + value + " " + std::string(wordOf(scene.colour.field)));
+    expectBounded(
+        scene, scene.map + " " + key + "=" + value + " " + std::string(wordOf(scene.colour.field)));
 }
 
 TEST(Extremes, NumbersOfEveryMap) {
