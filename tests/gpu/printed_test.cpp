@@ -23,9 +23,16 @@ std::string printed(const std::string& arguments) {
     return text;
 }
 
+constexpr GLuint kMostNames = 2000;
+
+// What other tests have left in the context.
+void deletePrograms() {
+    for (GLuint name = 1; name < kMostNames; ++name)
+        if (glIsProgram(name)) glDeleteProgram(name);
+}
+
 // Sources of all fragment shaders that belong to a program of this context.
 std::set<std::string> compiledTexts() {
-    constexpr GLuint kMostNames = 2000;
     std::set<std::string> texts;
     for (GLuint name = 1; name < kMostNames; ++name) {
         if (!glIsProgram(name)) continue;
@@ -44,6 +51,7 @@ std::set<std::string> compiledTexts() {
 }
 
 TEST(PrintedShaders, AreThoseThatTheDriverIsGiven) {
+    deletePrograms();
     GpuDevice gpu;
     for (const char* name : {"quadratic", "burning-ship", "mandelbulb", "shape-modulus-quadratic",
                              "newton", "z^3 - a*z + conj(c)", "shape(q^2 + c)"}) {
