@@ -86,8 +86,8 @@ ControlKind kindOf(ValueKind kind) {
     }
 }
 
-// "escaped: fast": a value within a part of a section is called by the part as well.
-std::string labelOf(const ValueInfo& info) {
+// What a value is called within its own section.
+std::string nameOf(const ValueInfo& info) {
     constexpr std::pair<const char*, const char*> kLetters[] = {
         {"alpha", "α"},
         {"beta", "β"},
@@ -97,8 +97,13 @@ std::string labelOf(const ValueInfo& info) {
         {"exponent_beta", trLater("exponent β")}};
     for (const auto& [name, letter] : kLetters)
         if (info.path == name) return tr(letter);
-    if (info.label.empty() || info.label == info.path) return info.path;
-    const std::string label = tr(info.label);
+    return info.label.empty() || info.label == info.path ? info.path : tr(info.label);
+}
+
+// "escaped: fast": a value within a part of a section is called by the part as well.
+std::string labelOf(const ValueInfo& info) {
+    const std::string label = nameOf(info);
+    if (info.label.empty()) return label;
     if (info.path.starts_with("colour.escaped.")) return tr(std::string("escaped")) + ": " + label;
     if (info.path.starts_with("colour.attracted."))
         return tr(std::string("attracted")) + ": " + label;
@@ -133,6 +138,7 @@ Control described(const StudioContext& context, const ValueInfo& info, const Jso
     control.id = info.path;
     control.group = group;
     control.label = labelOf(info);
+    control.name = info.path.starts_with("colour.") ? control.label : nameOf(info);
     control.help = tr(info.help);
     control.kind = kindOf(info.kind);
     control.value = textOf(info, value);

@@ -25,6 +25,7 @@ struct Control {
     std::vector<std::string> options;
     std::vector<std::string> shown = {};  // the options in the language
     double low = 0, high = 0;             // of a number's slider; equal where there is none
+    std::string name = {};                // the label without what the value is a part of
     std::string help = {};
     std::optional<double> home = {};      // what reset brings back
     double least = -1e300, most = 1e300;  // that a number may be

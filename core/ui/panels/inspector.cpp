@@ -64,7 +64,13 @@ void parameters(StudioContext& context) {
             ImGui::BeginGroup();
             if (info.parameters.size() > 1) ImGui::TextDisabled("%s", name.c_str());
         }
-        for (int k = 0; k < width; ++k) drawValue(context, parameterComponent(info, component + k));
+        for (int k = 0; k < width; ++k) {
+            const std::string part = parameterComponent(info, component + k);
+            if (width == 1)
+                drawValue(context, part);
+            else
+                drawComponent(context, part);
+        }
         if (width >= 2) {
             if (ImGui::SmallButton(tr("reset"))) {
                 value.assign(parameter.value.begin(), parameter.value.begin() + width);

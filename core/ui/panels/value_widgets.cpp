@@ -14,7 +14,7 @@ namespace versorium {
 namespace {
 
 // True where the control was set: the list of them is of yesterday then.
-bool drawNumber(StudioContext& context, const Control& control) {
+bool drawNumber(StudioContext& context, const Control& control, bool slider = true) {
     double value = std::strtod(control.value.c_str(), nullptr);
     const bool slides = control.low < control.high;
     const double step = control.step > 0 ? control.step : 0.01;
@@ -23,7 +23,7 @@ bool drawNumber(StudioContext& context, const Control& control) {
                           .high = slides ? control.high : value + 40 * step,
                           .home = control.home,
                           .whole = control.whole,
-                          .slider = slides,
+                          .slider = slides && slider,
                           .animated = control.moves,
                           .logarithmic = control.logarithmic && control.low > 0};
     if (!numberField(context, control.id, control.label, value, look)) return false;
@@ -110,8 +110,20 @@ bool drawControl(StudioContext& context, const Control& control) {
 }
 
 bool drawValue(StudioContext& context, const std::string& path) {
-    const std::optional<Control> control = controlOf(context, path);
-    return control && drawAny(context, *control);
+    std::optional<Control> control = controlOf(context, path);
+    if (!control) return false;
+    control->label = control->name;
+    return drawAny(context, *control);
+}
+
+bool drawComponent(StudioContext& context, const std::string& path) {
+    std::optional<Control> control = controlOf(context, path);
+    if (!control) return false;
+    control->label = path.substr(path.rfind('.') + 1);
+    ImGui::BeginDisabled(control->locked);
+    const bool set = drawNumber(context, *control, false);
+    ImGui::EndDisabled();
+    return set;
 }
 
 void drawValues(StudioContext& context, std::initializer_list<const char*> paths) {
@@ -119,8 +131,10 @@ void drawValues(StudioContext& context, std::initializer_list<const char*> paths
 }
 
 void drawGroup(StudioContext& context, const std::string& group) {
-    for (const Control& control : controlsIn(context, group))
+    for (Control& control : controlsIn(context, group)) {
+        control.label = control.name;
         if (drawAny(context, control)) return;  // the list is of before
+    }
 }
 
 }  // namespace versorium

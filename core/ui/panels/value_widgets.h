@@ -14,6 +14,8 @@ namespace versorium {
 bool drawControl(StudioContext& context, const Control& control);
 // The same of a value by its path, if it applies and matters now.
 bool drawValue(StudioContext& context, const std::string& path);
+// A component of a number, such as the real part, beside a pad: with a short label, and no slider.
+bool drawComponent(StudioContext& context, const std::string& path);
 void drawValues(StudioContext& context, std::initializer_list<const char*> paths);
 // All values of a group of the scene that matter now ("colour").
 void drawGroup(StudioContext& context, const std::string& group);
