@@ -83,6 +83,21 @@ class Results(CommandLine):
         schema = json.loads(self.good("schema"))
         self.assertIn("iterations", schema["properties"])
 
+    def test_every_value_is_listed_and_can_be_set(self):
+        rows = json.loads(self.good("values", "shape-modulus", "--json"))
+        self.assertGreater(len(rows), 60)
+        for row in rows:
+            self.assertEqual(set(row), {"path", "kind", "value", "default", "range", "words", "unit", "help"})
+            self.assertTrue(row["help"], row["path"])
+        listed = self.good("values", "shape-modulus").decode()
+        self.assertEqual([row["path"] for row in rows], [line.split()[0] for line in listed.splitlines()])
+        numbers = {row["path"]: row for row in rows if row["range"]}
+        self.assertEqual(numbers["iterations"]["range"], [0, 10000000])
+        changed = json.loads(self.good("values", "quadratic", "--set", "slice.center[1]=0.5", "--json"))
+        self.assertEqual([row["value"] for row in changed if row["path"] == "slice.center[1]"], [0.5])
+        self.refused(2, "values", "quadratic", "--set", "iteratons=5", says=["did you mean iterations?"])
+        self.refused(2, "values", "quadratic", "--set", "slice.height=-1", says=["slice.height", "1e-300"])
+
     def test_every_preset_renders_the_same_on_any_number_of_threads(self):
         for preset in self.good("presets").decode().split():
             for threads in ("1", "3"):
