@@ -249,9 +249,16 @@ SceneProperties propertiesOf(const Scene& scene) {
 }
 
 SceneProperties shownProperties(const Scene& scene, const std::string& group) {
+    // An item of a list ("layers[1]") is what its list has below that path.
+    const bool item = group.ends_with("]");
+    const std::string whole = item ? group.substr(0, group.rfind('[')) : group;
     SceneProperties all;
-    if (const auto found = atPath(scene, sceneTable(), group); found && found->parts)
+    if (const auto found = atPath(scene, sceneTable(), whole); found && found->parts)
         spread(scene, found->parts(scene), all, true);
+    if (item)
+        std::erase_if(all, [&](const SceneProperty& property) {
+            return !property.path.starts_with(group + ".");
+        });
     return all;
 }
 

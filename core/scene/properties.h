@@ -22,7 +22,8 @@ const SceneProperties& sceneTable();
 // Every value that applies to this scene, groups before what they hold: "colour", "colour.rule" …;
 // numbers of the map by their names ("c", "c.re", "z.im", "roots[0].power").
 SceneProperties propertiesOf(const Scene& scene);
-// Those of one group ("colour") that matter as the scene is now.
+// Those of one group ("colour") or of an item of a list ("layers[1]") that matter as the scene is
+// now.
 SceneProperties shownProperties(const Scene& scene, const std::string& group);
 
 // By its path, by the last part of one ("height", "palette"), or by its alias.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "io/document.h"
@@ -205,6 +206,26 @@ TEST(Properties, ThatMoveAreThoseOfAnAnimation) {
             EXPECT_TRUE(setMovingValue(moved, name, 1e308)) << name;
             EXPECT_TRUE(sceneFromJson(sceneToJson(moved))) << name;
         }
+}
+
+TEST(Properties, OfGroupsAndItemsAreThoseThatMatterNow) {
+    Scene scene = sceneOf(*findMap("quadratic"));
+    scene.layers.resize(2);
+    scene.ensemble.discs.push_back({"c", 0, 0, 0.5});
+    const auto has = [&](const char* group, const char* path) {
+        const SceneProperties shown = shownProperties(scene, group);
+        return std::any_of(shown.begin(), shown.end(),
+                           [&](const SceneProperty& one) { return one.path == path; });
+    };
+    EXPECT_TRUE(has("layers[1]", "layers[1].x"));
+    EXPECT_FALSE(has("layers[1]", "layers[0].x"));
+    EXPECT_FALSE(has("layers[1]", "layers[1].frame")) << "it has one frame";
+    EXPECT_TRUE(has("ensemble.discs[0]", "ensemble.discs[0].center[1]"));
+    EXPECT_TRUE(has("colour", "colour.palette"));
+    EXPECT_FALSE(has("colour", "colour.escaped.start"));
+    scene.colour.rule = ColourRule::gradient;
+    EXPECT_FALSE(has("colour", "colour.palette"));
+    EXPECT_TRUE(has("colour", "colour.escaped.start"));
 }
 
 TEST(Properties, HaveTheDefaultOfTheMap) {
