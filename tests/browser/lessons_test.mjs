@@ -49,6 +49,7 @@ function settings(solution, open) {
     const key = line.slice(0, colon).trim(), value = line.slice(colon + 1).trim();
     const each = (ids) => numbers(value).forEach((number, k) => ids[k] && wanted.push([ids[k], String(number)]));
     if (open.includes(key)) wanted.push([key, value]);
+    else if (key === "shape") wanted.push(["shape.source", value]);
     else if (key.endsWith("slice.center")) each(["slice.center[0]", "slice.center[1]"]);
     else if (key.endsWith("slice.height")) wanted.push(["slice.height", value]);
     else if (key.endsWith(".start")) wanted.push(["critical", "on"]);

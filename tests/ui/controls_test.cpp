@@ -81,6 +81,11 @@ TEST(Controls, SetWhatTheySayAndRefuseTheRest) {
     EXPECT_EQ(sharedNumber(context.workspace, "c.re"), -0.125);
     EXPECT_TRUE(setControl(context, "layout", "4"));
     EXPECT_EQ(context.workspace.views.size(), 4u);
+    // The orbit's start is the workspace's, whatever start the view's scene has.
+    context.workspace.view().start = {0, 0};
+    EXPECT_TRUE(setControl(context, "z.re", "0"));
+    EXPECT_EQ(sharedNumber(context.workspace, "z.re"), 0);
+    EXPECT_TRUE(setControl(context, "z.re", "0.35"));
     EXPECT_TRUE(setControl(context, "colour.reverse", "on"));
     EXPECT_TRUE(context.workspace.view().colour.reverse);
     EXPECT_TRUE(setControl(context, "colour.rule", "gradient"));

@@ -42,7 +42,6 @@ const std::map<std::string, std::string, std::less<>>& oldNames() {
 
 Status setValue(StudioContext& context, const SceneProperty& property, const Json& value) {
     Workspace& workspace = context.workspace;
-    if (property.get(workspace.view()) == value) return {};
     if (numberNamed(workspace.views[0], property.path)) {
         double number = 0;
         const Status status = readNumber(value, property.low, property.high, number);
