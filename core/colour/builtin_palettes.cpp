@@ -108,6 +108,4 @@ Expected<Palette> paletteNamed(std::string_view name) {
                          "\"; there are: " + all);
 }
 
-const Palette& defaultPalette() { return allPalettes().front(); }
-
 }  // namespace versorium

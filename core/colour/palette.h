@@ -72,7 +72,5 @@ Json paletteToJson(const Palette& palette);
 std::vector<std::string> paletteNames();
 // Fails with ErrorKind::usage and the list of names.
 Expected<Palette> paletteNamed(std::string_view name);
-// The default palette itself.
-const Palette& defaultPalette();
 
 }  // namespace versorium

@@ -110,10 +110,6 @@ Colour colourFromOklab(const Oklab& lab, double alpha) {
             -0.0041960863 * l3 - 0.7034186147 * m3 + 1.7076147010 * s3, alpha};
 }
 
-Oklch oklchFromOklab(const Oklab& lab) {
-    return {lab.lightness, sqrt(lab.a * lab.a + lab.b * lab.b), atan2(lab.b, lab.a)};
-}
-
 Oklab oklabFromOklch(const Oklch& lch) {
     return {lch.lightness, lch.chroma * cos(lch.hue), lch.chroma * sin(lch.hue)};
 }
@@ -124,35 +120,9 @@ double oklabDistance(const Colour& one, const Colour& other) {
     return sqrt(dl * dl + da * da + db * db);
 }
 
-double luminance(const Colour& colour) {
-    return 0.2126 * colour.r + 0.7152 * colour.g + 0.0722 * colour.b;
-}
-
-double cieLightness(const Colour& colour) {
-    const double y = luminance(colour);
-    return y > 216.0 / 24389.0 ? 116 * cubeRoot(y) - 16 : y * 24389.0 / 27.0;
-}
-
-double contrast(const Colour& one, const Colour& other) {
-    const double p = luminance(one) + 0.05, q = luminance(other) + 0.05;
-    return p > q ? p / q : q / p;
-}
-
-bool inGamut(const Colour& colour, double tolerance) {
-    for (const double value : {colour.r, colour.g, colour.b})
-        if (!(value >= -tolerance && value <= 1 + tolerance)) return false;
-    return true;
-}
-
 Colour clipped(const Colour& colour) {
     const auto clip = [](double value) { return value > 0 ? (value < 1 ? value : 1.0) : 0.0; };
     return {clip(colour.r), clip(colour.g), clip(colour.b), clip(colour.a)};
-}
-
-Colour composite(const Colour& over, const Colour& under) {
-    const double rest = 1 - over.a;
-    return {over.a * over.r + rest * under.r, over.a * over.g + rest * under.g,
-            over.a * over.b + rest * under.b, 1};
 }
 
 Colour mix(const Colour& one, const Colour& other, double t) {

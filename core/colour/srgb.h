@@ -3,7 +3,7 @@
 // Colours and the spaces they are measured in. Everything is computed in linear light with the
 // primaries and the white of sRGB (IEC 61966-2-1), where averaging and compositing are additions.
 // "Encoded" or "display" values are the sRGB transfer of these, as files and #rrggbb carry them.
-// OKLab (B. Ottosson, 2020) measures how different two colours look; CIE L* how light one is.
+// OKLab (B. Ottosson, 2020) measures how different two colours look.
 // Alpha is straight, never premultiplied.
 
 #include <string>
@@ -45,22 +45,12 @@ std::string hexFromColour(const Colour& colour);
 
 Oklab oklabFromColour(const Colour& colour);
 Colour colourFromOklab(const Oklab& lab, double alpha = 1);
-Oklch oklchFromOklab(const Oklab& lab);
 Oklab oklabFromOklch(const Oklch& lch);
 // Euclidean distance in OKLab: about 0.02 is just visible between neighbouring patches.
 double oklabDistance(const Colour& one, const Colour& other);
 
-// Relative luminance Y of the colour, white being 1, and CIE 1976 L* from 0 to 100.
-double luminance(const Colour& colour);
-double cieLightness(const Colour& colour);
-// Contrast ratio of WCAG 2: from 1 to 21.
-double contrast(const Colour& one, const Colour& other);
-
-// Whether the screen can show it: all three channels within [-tolerance, 1 + tolerance].
-bool inGamut(const Colour& colour, double tolerance = 0);
+// Each part cut to [0, 1].
 Colour clipped(const Colour& colour);
-// `over` on top of an opaque `under`.
-Colour composite(const Colour& over, const Colour& under);
 // (1 - t) one + t other, in linear light.
 Colour mix(const Colour& one, const Colour& other, double t);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <deque>
 
+#include "geometry/clip.h"
 #include "math/elementary.h"
 
 namespace versorium {
@@ -18,25 +19,15 @@ constexpr int kMostImages = 400;  // fundamental segments
 constexpr double kIdle = 3;       // of them without a point in the window end a branch
 constexpr int kInverseSteps = 30;
 
-// The part of a segment inside the window; false when there is none (Liang and Barsky).
+// The part of a segment inside the window; false when there is none. An end that lies inside keeps
+// its bits.
 bool clip(const Window& w, PlanePoint& a, PlanePoint& b) {
-    double first = 0, last = 1;
-    const double dx = b[0] - a[0], dy = b[1] - a[1];
-    const double p[4] = {-dx, dx, -dy, dy};
-    const double q[4] = {a[0] - w.left, w.right - a[0], a[1] - w.bottom, w.top - a[1]};
-    for (int k = 0; k < 4; ++k) {
-        if (p[k] == 0) {
-            if (!(q[k] >= 0)) return false;
-        } else if (p[k] < 0) {
-            first = std::max(first, q[k] / p[k]);
-        } else {
-            last = std::min(last, q[k] / p[k]);
-        }
-    }
-    if (!(first <= last)) return false;
+    const auto part = clipSegment(a, b, {w.left, w.bottom}, {w.right, w.top});
+    if (!part) return false;
     const PlanePoint start = a;
-    if (last < 1) b = {start[0] + last * dx, start[1] + last * dy};
-    if (first > 0) a = {start[0] + first * dx, start[1] + first * dy};
+    const double dx = b[0] - a[0], dy = b[1] - a[1];
+    if (part->to < 1) b = {start[0] + part->to * dx, start[1] + part->to * dy};
+    if (part->from > 0) a = {start[0] + part->from * dx, start[1] + part->from * dy};
     return true;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/document.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -10,6 +9,7 @@
 #include "io/root_files.h"
 #include "io/text_scanner.h"
 #include "scene/numbers.h"
+#include "scene/parts.h"
 #include "scene/properties.h"
 
 namespace versorium {
@@ -88,12 +88,13 @@ Status unknownKey(const Scene& scene, const Assignment& assignment) {
             " (\"versorium values\" lists all)");
 }
 
-// Another map keeps what is no map's own: colours and samples.
+// Another map keeps what is no map's own: colours, images, aspect and samples.
 Status assignMap(Scene& scene, const Assignment& assignment) {
     Expected<Scene> chosen = sceneOfMap(assignment.value);
     if (!chosen) return refused(assignment, chosen.status().message());
-    chosen->colour = std::move(scene.colour);
+    keepLook(*chosen, scene);
     chosen->samples = scene.samples;
+    dropAssetsExcept(*chosen, namedAssets(*chosen));
     scene = std::move(*chosen);
     return {};
 }
@@ -179,11 +180,9 @@ Json withoutAssets(Json scene, Json& assets) {
 }
 
 void addAssets(const Scene& scene, Json& assets) {
-    if (scene.assets.empty()) return;
-    const std::vector<std::string> named = assetsNamed(sceneBody(scene));
+    const std::set<std::string> named = namedAssets(scene);
     for (const auto& [hash, asset] : scene.assets)
-        if (std::find(named.begin(), named.end(), hash) != named.end() && !assets.contains(hash))
-            assets[hash] = assetToJson(*asset);
+        if (named.contains(hash) && !assets.contains(hash)) assets[hash] = assetToJson(*asset);
 }
 
 std::vector<std::string> assetsNamed(const Json& json) {

@@ -183,19 +183,6 @@ Expected<PngText> readText(View data) {
 }
 
 // Refuses sizes that are beyond the limits or that the packed bytes cannot possibly fill.
-Status checkHeader(View header, long long packed) {
-    const long long width = get32(header, 0), height = get32(header, 4);
-    const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
-    if (width == 0 || height == 0) return Status::data("the PNG claims " + size);
-    if (width > kPngPixelLimit || height > kPngPixelLimit || width * height > kPngPixelLimit)
-        return Status::data("the PNG is too large: " + size + ", the limit is " +
-                            std::to_string(kPngPixelLimit) + " in all");
-    // At least one bit for each pixel, and a filter byte for each row.
-    if ((width + 7) / 8 * height > packed * kDeflateRatio)
-        return Status::data("the PNG claims " + size + ", but holds far fewer: it is damaged");
-    return {};
-}
-
 }  // namespace
 
 Expected<Bytes> encodePng(const Raster<unsigned char>& pixels, const PngOptions& options) {
@@ -239,24 +226,6 @@ Expected<std::vector<PngText>> decodePngText(View bytes) {
     });
     if (!status.ok()) return status;
     return texts;
-}
-
-Expected<Raster<unsigned char>> decodePng(View bytes) {
-    Bytes header;
-    long long packed = 0;
-    Status status = walkChunks(bytes, [&](std::string_view type, View data) -> Status {
-        if (type == "IHDR") header.assign(data.begin(), data.end());
-        if (type == "IDAT") packed += static_cast<long long>(data.size());
-        return {};
-    });
-    if (!status.ok()) return status;
-    if (status = checkHeader(header, packed); !status.ok()) return status;
-    if (bytes.size() > 0x7fffffffU) return Status::data("the PNG is longer than 2 GiB");
-    const char* reason = "";
-    Raster<unsigned char> pixels = stb::readPng(bytes, reason);
-    if (pixels.empty())
-        return Status::data("the PNG's pixels cannot be unpacked: " + std::string(reason));
-    return pixels;
 }
 
 }  // namespace versorium

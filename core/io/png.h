@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // PNG (ISO/IEC 15948) in memory: pictures out with their resolution and with texts that carry the
-// state which made them, pictures and texts in. The same picture and texts always give the same
-// bytes. What is read is foreign: every length is checked before anything is allocated.
+// state which made them, and these texts in (pictures: io/image_files.h). The same picture and
+// texts always give the same bytes. What is read is foreign: every length is checked before
+// anything is allocated.
 
 #include <span>
 #include <string>
@@ -27,8 +28,6 @@ struct PngOptions {
 
 // No more than this many bytes are ever unpacked from, or packed into, one text.
 inline constexpr std::size_t kPngTextLimit = std::size_t{64} << 20;
-// Pixels of a picture that is read: 8192², 256 MiB as RGBA.
-inline constexpr long long kPngPixelLimit = 1LL << 26;
 // Bytes of samples of a picture that is written (the encoder counts in 32 bits).
 inline constexpr long long kPngByteLimit = 1LL << 29;
 
@@ -39,8 +38,5 @@ Expected<std::vector<unsigned char>> encodePng(const Raster<unsigned char>& pixe
 
 // All iTXt texts in the order of the file. Every CRC is checked. Fails with ErrorKind::data.
 Expected<std::vector<PngText>> decodePngText(std::span<const unsigned char> bytes);
-
-// The pixels as sRGB RGBA, 8 bits, straight alpha. Every CRC is checked. ErrorKind::data.
-Expected<Raster<unsigned char>> decodePng(std::span<const unsigned char> bytes);
 
 }  // namespace versorium

@@ -58,20 +58,6 @@ std::vector<unsigned char> writePng(const Raster<unsigned char>& pixels) {
     return take(block, size);
 }
 
-Raster<unsigned char> readPng(std::span<const unsigned char> bytes, const char*& reason) {
-    int width = 0, height = 0, channels = 0;
-    unsigned char* block = stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()),
-                                                 &width, &height, &channels, 4);
-    if (!block) {
-        reason = stbi_failure_reason();
-        return {};
-    }
-    Raster<unsigned char> pixels({width, height}, 4);
-    std::copy(block, block + pixels.values().size(), pixels.values().begin());
-    stbi_image_free(block);
-    return pixels;
-}
-
 std::vector<unsigned char> deflate(std::span<const unsigned char> bytes) {
     int size = 0;
     // The encoder only reads through this pointer.

@@ -16,8 +16,6 @@ inline constexpr std::size_t kInflateLimit = std::size_t{512} << 20;
 
 // A whole PNG file; empty when memory ran out.
 std::vector<unsigned char> writePng(const Raster<unsigned char>& pixels);
-// Four channels; empty when the file is wrong.
-Raster<unsigned char> readPng(std::span<const unsigned char> bytes, const char*& reason);
 // A zlib stream; empty when memory ran out.
 std::vector<unsigned char> deflate(std::span<const unsigned char> bytes);
 // Unpacks into `out` and returns how many bytes were written, or -1 when the stream is torn or

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "geometry/clip.h"
 #include "i18n/language.h"
 #include "lesson/measures.h"
 #include "math/elementary.h"
@@ -48,16 +49,16 @@ class MarkFrame {
         std::vector<Curve> runs;
         bool goesOn = false;
         for (std::size_t k = 0; k + 1 < line.size(); ++k) {
-            double from = 0, to = 1;
-            cut(line[k][0] - x_, line[k + 1][0] - line[k][0], across_, from, to);
-            cut(line[k][1] - y_, line[k + 1][1] - line[k][1], half_, from, to);
-            if (from > to) {
+            const auto part = clipSegment(line[k], line[k + 1], {x_ - across_, y_ - half_},
+                                          {x_ + across_, y_ + half_});
+            if (!part) {
                 goesOn = false;
                 continue;
             }
-            if (!goesOn || from > 0) runs.push_back({between(line[k], line[k + 1], from)});
-            runs.back().push_back(between(line[k], line[k + 1], to));
-            goesOn = to == 1;
+            if (!goesOn || part->from > 0)
+                runs.push_back({between(line[k], line[k + 1], part->from)});
+            runs.back().push_back(between(line[k], line[k + 1], part->to));
+            goesOn = part->to == 1;
         }
         return runs;
     }
@@ -69,16 +70,6 @@ class MarkFrame {
   private:
     double x_, y_, half_, across_;
 
-    // The part of a segment, from `from` to `to` of its length, where |start + t change| <= most.
-    static void cut(double start, double change, double most, double& from, double& to) {
-        if (change == 0) {
-            if (std::fabs(start) > most) from = 2;
-            return;
-        }
-        const double one = (-most - start) / change, other = (most - start) / change;
-        from = std::max(from, std::min(one, other));
-        to = std::min(to, std::max(one, other));
-    }
     static std::array<double, 2> between(const std::array<double, 2>& a,
                                          const std::array<double, 2>& b, double t) {
         if (t == 1) return b;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/embedded.h"
+#include "base/embedded_json.h"
 #include "io/png.h"
 #include "plate/scene_panels.h"
 
@@ -14,12 +14,7 @@ constexpr std::string_view kPlates = "plates/";
 
 }  // namespace
 
-std::vector<std::string> plateNames() {
-    std::vector<std::string> names;
-    for (std::string_view name : embeddedNames(kPlates))
-        names.emplace_back(name.substr(kPlates.size(), name.size() - kPlates.size() - 5));
-    return names;
-}
+std::vector<std::string> plateNames() { return embeddedJsonNames(kPlates); }
 
 Expected<PlateDocument> plateFromDocument(const Document& document) {
     if (document.kind != "plate") return Status::data("a plate is expected, and this is a scene");
@@ -37,15 +32,11 @@ Expected<PlateDocument> plateFromDocument(const Document& document) {
 }
 
 Expected<PlateDocument> plateNamed(const std::string& name) {
-    const std::string_view text = embeddedText(std::string(kPlates) + name + ".json");
-    if (text.empty()) {
-        std::string all;
-        for (const std::string& known : plateNames()) all += (all.empty() ? "" : ", ") + known;
-        return Status::usage("no plate is named \"" + name + "\"; there are: " + all);
-    }
-    Expected<Json> json = parseJson(text);
-    if (!json) return json.status().in("plate " + name);
-    Expected<Document> document = documentFromJson(*json);
+    const Json json = embeddedJson(kPlates, name);
+    if (json.is_null())
+        return Status::usage("no plate is named \"" + name +
+                             "\"; there are: " + embeddedJsonList(kPlates));
+    Expected<Document> document = documentFromJson(json);
     if (!document) return document.status().in("plate " + name);
     Expected<PlateDocument> plate = plateFromDocument(*document);
     return plate ? std::move(plate) : plate.status().in("plate " + name);

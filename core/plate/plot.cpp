@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/clip.h"
 #include "math/elementary.h"
 #include "plate/panel.h"
 
@@ -53,25 +54,15 @@ double place(const Scale& scale, double value) {
     return (value - scale.low) / (scale.high - scale.low);
 }
 
-// Liang and Barsky: the part of a segment inside the box. False when there is none.
+// The part of a segment inside the box. False when there is none.
 bool clip(const Box& box, Point& a, Point& b) {
-    double first = 0, last = 1;
-    const double dx = b.x - a.x, dy = b.y - a.y;
-    const double p[4] = {-dx, dx, -dy, dy};
-    const double q[4] = {a.x - box.left, box.right - a.x, a.y - box.top, box.bottom - a.y};
-    for (int k = 0; k < 4; ++k) {
-        if (p[k] == 0) {
-            if (!(q[k] >= 0)) return false;
-        } else if (p[k] < 0) {
-            first = std::max(first, q[k] / p[k]);
-        } else {
-            last = std::min(last, q[k] / p[k]);
-        }
-    }
-    if (!(first <= last)) return false;
+    const auto part =
+        clipSegment({a.x, a.y}, {b.x, b.y}, {box.left, box.top}, {box.right, box.bottom});
+    if (!part) return false;
     const Point start = a;
-    a = {start.x + first * dx, start.y + first * dy};
-    b = {start.x + last * dx, start.y + last * dy};
+    const double dx = b.x - a.x, dy = b.y - a.y;
+    a = {start.x + part->from * dx, start.y + part->from * dy};
+    b = {start.x + part->to * dx, start.y + part->to * dy};
     return true;
 }
 

@@ -246,18 +246,4 @@ std::string axisName(const std::string& name, const TickSet& ticks, const Words&
     return text;
 }
 
-std::string proseNumber(double value, int digits) {
-    if (std::isnan(value)) return "undefined";
-    if (std::isinf(value)) return value < 0 ? kMinus + "∞" : "∞";
-    std::string text = formatNumber(value, digits);
-    const std::size_t e = text.find('e');
-    if (e != std::string::npos) {
-        const int exponent = std::atoi(text.c_str() + e + 1);
-        text = text.substr(0, e) + "·10^{" + std::to_string(exponent) + "}";
-    }
-    std::string out;
-    for (const char c : text) out += c == '-' ? kMinus : std::string(1, c);
-    return out;
-}
-
 }  // namespace versorium

@@ -41,8 +41,4 @@ TickSet fittingTicks(const Scale& scale, int most, double length, double gap,
 // "(Re c + 0.74364) / 10^{−9}": the name of an axis whose ticks were shortened. Markup.
 std::string axisName(const std::string& name, const TickSet& ticks, const Words& words);
 
-// A number as prose shows it: up to `digits` significant digits, a true minus sign, and
-// 3.2·10^{−7} as markup where the exponent is below −4 or above `digits`.
-std::string proseNumber(double value, int digits = 6);
-
 }  // namespace versorium

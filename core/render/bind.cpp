@@ -214,15 +214,6 @@ Trap trapOf(const TrapSpec& spec) {
 
 }  // namespace
 
-std::vector<std::string> builtinMeshes() {
-    std::vector<std::string> names;
-    for (std::string_view name : embeddedNames(kMeshes)) {
-        const std::string_view file = name.substr(kMeshes.size());
-        names.emplace_back(file.substr(0, file.find('.')));
-    }
-    return names;
-}
-
 double automaticRadius(const Scene& scene) {
     const MapInfo& info = mapOf(scene).info;
     const bool typed = scene.formula && (info.formula == "z^2 + c" || info.formula == "q^2 + c");

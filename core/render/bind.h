@@ -46,8 +46,6 @@ bool needsGrid(const Scene& scene);
 // ending what they are).
 Expected<Grid> gridFromBytes(std::span<const unsigned char> bytes, const std::string& name,
                              const ShapeSpec& spec, Job& job);
-// Names of the meshes that the program carries.
-std::vector<std::string> builtinMeshes();
 
 // The escape radius that a scene's map takes by itself: for the quadratic families with one c
 // (1 + sqrt(1 + 4|c|))/2 where that is above 2, which bounds every filled Julia set.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/movie.h"
 
-#include "base/embedded.h"
+#include "base/embedded_json.h"
 #include "io/zip.h"
 
 namespace versorium {
@@ -11,22 +11,11 @@ constexpr std::string_view kAnimations = "animations/";
 
 }  // namespace
 
-std::vector<std::string> animationNames() {
-    std::vector<std::string> names;
-    for (std::string_view name : embeddedNames(kAnimations))
-        names.emplace_back(name.substr(kAnimations.size(), name.size() - kAnimations.size() - 5));
-    return names;
-}
+std::vector<std::string> animationNames() { return embeddedJsonNames(kAnimations); }
 
 Expected<Movie> animationNamed(const std::string& name) {
-    const std::string_view text = embeddedText(std::string(kAnimations) + name + ".json");
-    if (text.empty()) {
-        std::string all;
-        for (const std::string& known : animationNames()) all += (all.empty() ? "" : ", ") + known;
-        return Status::usage("no animation is named \"" + name + "\"; there are: " + all);
-    }
-    Expected<Json> json = parseJson(text);
-    if (!json) return json.status().in("animation " + name);
+    Expected<Json> json = embeddedJson(kAnimations, name, "animation");
+    if (!json) return json.status();
     Expected<Document> document = documentFromJson(*json);
     if (!document) return document.status().in("animation " + name);
     Expected<Movie> movie = movieFromDocument(*document);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/scene.h"
 
-#include "base/embedded.h"
+#include "base/embedded_json.h"
 #include "base/hash.h"
 
 namespace versorium {
@@ -80,23 +80,14 @@ std::string addAsset(Scene& scene, Asset asset) {
     return "asset:" + name;
 }
 
-std::vector<std::string> presetNames() {
-    std::vector<std::string> names;
-    for (std::string_view name : embeddedNames(kPresets))
-        names.emplace_back(name.substr(kPresets.size(), name.size() - kPresets.size() - 5));
-    return names;
-}
+std::vector<std::string> presetNames() { return embeddedJsonNames(kPresets); }
 
 Expected<Scene> presetNamed(const std::string& name) {
-    const std::string_view text = embeddedText(std::string(kPresets) + name + ".json");
-    if (text.empty()) {
-        std::string all;
-        for (const std::string& known : presetNames()) all += (all.empty() ? "" : ", ") + known;
-        return Status::usage("no preset is named \"" + name + "\"; there are: " + all);
-    }
-    const Expected<Json> json = parseJson(text);
-    if (!json) return json.status().in("preset " + name);
-    Expected<Scene> scene = sceneFromJson(*json);
+    const Json json = embeddedJson(kPresets, name);
+    if (json.is_null())
+        return Status::usage("no preset is named \"" + name +
+                             "\"; there are: " + embeddedJsonList(kPresets));
+    Expected<Scene> scene = sceneFromJson(json);
     return scene ? std::move(scene) : scene.status().in("preset " + name);
 }
 

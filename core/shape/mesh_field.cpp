@@ -247,12 +247,6 @@ double MeshField::windingNumber(const glm::dvec3& point) const {
     return angle / (4 * std::numbers::pi);
 }
 
-double MeshField::windingNumberBySum(const glm::dvec3& point) const {
-    double angle = 0;
-    for (const Triangle& triangle : triangles_) angle += triangle.solidAngle(point);
-    return angle / (4 * std::numbers::pi);
-}
-
 // Off the surface the winding number is smooth, and its gradient is the law of Biot and Savart for
 // a current along the boundary: |∇w| ≤ 1/(4π) ∮ |dl| / r². Within half the distance b to a boundary
 // of length L that is at most L / (π b²). A closed mesh has none: w only changes at the surface.

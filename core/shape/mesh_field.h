@@ -35,8 +35,6 @@ class MeshField {
     // Differs from the winding number by less than kWindingError for surfaces that do not fold
     // back on themselves many times.
     double windingNumber(const glm::dvec3& point) const;
-    // The winding number as the plain sum over all triangles.
-    double windingNumberBySum(const glm::dvec3& point) const;
     static constexpr double kWindingError = 0.01;
 
     // A radius around a point within which the winding number stays on the same side of ½, given
@@ -44,7 +42,6 @@ class MeshField {
     double signRadius(const glm::dvec3& point, double distance, double winding) const;
 
     bool closed() const { return boundaryLength_ == 0; }
-    double boundaryLength() const { return boundaryLength_; }
     std::size_t droppedTriangles() const { return dropped_; }
     bool turned() const { return turned_; }
 

@@ -148,21 +148,6 @@ class Parser {
     int nodes_ = 0;
 };
 
-void print(const ShapeTree& shape, std::string& text) {
-    text += shapeWord(shape.kind()).name;
-    const char* separator = "(";
-    for (double number : shape.numbers()) {
-        text += separator + formatNumber(number);
-        separator = ", ";
-    }
-    for (const ShapeTree& child : shape.children()) {
-        text += separator;
-        print(child, text);
-        separator = ", ";
-    }
-    text += ")";
-}
-
 }  // namespace
 
 Expected<ShapeTree> parseShape(std::string_view text) {
@@ -170,12 +155,6 @@ Expected<ShapeTree> parseShape(std::string_view text) {
         return Status::data("the text of the shape has " + std::to_string(text.size()) +
                             " characters; at most " + std::to_string(kTextSize) + " are read");
     return Parser(text).parse();
-}
-
-std::string printShape(const ShapeTree& shape) {
-    std::string text;
-    print(shape, text);
-    return text;
 }
 
 }  // namespace versorium

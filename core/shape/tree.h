@@ -21,7 +21,6 @@
 // the point moves (|∇| ≤ 1).
 
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -87,15 +86,4 @@ ShapeExactness exactness(const ShapeTree& shape);
 
 // Blanks are free. Faults name the character, counted from 1, and what was expected there.
 Expected<ShapeTree> parseShape(std::string_view text);
-// Reads back as an equal tree.
-std::string printShape(const ShapeTree& shape);
-
-struct NamedShape {
-    const char* name;
-    const char* text;
-};
-// One example of every shape that stands alone; the solids lie within the box [-½, ½]³, the shapes
-// of the plane within [-½, ½]².
-std::span<const NamedShape> shapeGallery();
-
 }  // namespace versorium

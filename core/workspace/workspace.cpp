@@ -7,21 +7,18 @@
 #include <utility>
 
 #include "maps/critical.h"
+#include "scene/parts.h"
 
 namespace versorium {
 namespace {
 
-const std::string kAssetPrefix = "asset:";
 // A fit for a map whose parameter plane is not square: the wider of the two ranges decides.
 constexpr double kParameterHeight = 3;
 
 void shareWith(Scene& scene, const Scene& like) {
     scene.parameters = like.parameters;
     scene.lists = like.lists;
-    scene.shape = like.shape;
-    scene.alphaOverSpace = like.alphaOverSpace;
-    scene.betaOverSpace = like.betaOverSpace;
-    scene.assets = like.assets;
+    keepShape(scene, like);
 }
 
 bool isState(const Scene& scene, const std::string& name) {
@@ -41,9 +38,7 @@ Scene dynamicalView(const Scene& like) {
     shareWith(scene, like);
     scene.iterations = like.iterations;
     scene.escapeRadius = like.escapeRadius;
-    scene.colour = like.colour;
-    scene.layers = like.layers;
-    scene.aspect = like.aspect;
+    keepLook(scene, like);
     if (!like.criticalStart) scene.start = like.start;
     return scene;
 }
@@ -336,17 +331,8 @@ bool setBorder(Scene& scene, int border, double value, double aspect) {
 
 void dropUnnamedAssets(Workspace& workspace) {
     std::set<std::string> named;
-    for (const Scene& scene : workspace.views) {
-        for (const std::string* shape :
-             {&scene.shape.source, &scene.alphaOverSpace.shape, &scene.betaOverSpace.shape})
-            named.insert(*shape);
-        for (const Layer& layer : scene.layers)
-            named.insert(layer.sources.begin(), layer.sources.end());
-    }
-    for (Scene& scene : workspace.views)
-        std::erase_if(scene.assets, [&](const auto& asset) {
-            return !named.contains(kAssetPrefix + asset.first);
-        });
+    for (const Scene& scene : workspace.views) named.merge(namedAssets(scene));
+    for (Scene& scene : workspace.views) dropAssetsExcept(scene, named);
 }
 
 std::string addSharedAsset(Workspace& workspace, Asset asset) {

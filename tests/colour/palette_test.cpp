@@ -6,6 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "colour/measures.h"
+#include "scene/scene.h"
+
 namespace versorium {
 namespace {
 
@@ -88,7 +91,7 @@ TEST(EveryPalette, TakesAnyNumber) {
 }
 
 TEST(DefaultPalette, RisesFromTwentyToNinetyFive) {
-    const Palette& palette = defaultPalette();
+    const Palette palette = *paletteNamed(Colouring{}.palette);
     EXPECT_EQ(palette.name(), "versorium");
     // "about L* 20 to 95" of the design.
     EXPECT_NEAR(cieLightness(palette.at(0)), 21, 2);

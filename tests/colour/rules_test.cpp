@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "colour/measures.h"
 #include "colour/scale.h"
 
 namespace versorium {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/random.h"
+#include "colour/measures.h"
 
 namespace versorium {
 namespace {
@@ -73,7 +74,6 @@ TEST(CieLightness, KnownPoints) {
     EXPECT_NEAR(cieLightness({1, 1, 1}), 100, 1e-12);
     // 18 % grey is the middle of L*: 49.496 by the definition.
     EXPECT_NEAR(cieLightness({0.18, 0.18, 0.18}), 49.496, 1e-3);
-    EXPECT_NEAR(contrast({1, 1, 1}, {0, 0, 0}), 21, 1e-12);
 }
 
 TEST(Hex, ReadsAndWrites) {
@@ -85,13 +85,6 @@ TEST(Hex, ReadsAndWrites) {
     EXPECT_EQ(hexFromColour(*colourFromHex("#FA3")), "#ffaa33");
     for (const char* text : {"", "#", "red", "#12345", "#gggggg", "#1234567890"})
         EXPECT_FALSE(colourFromHex(text).ok()) << text;
-}
-
-TEST(Composite, IsLinearInLight) {
-    const Colour half = composite({1, 1, 1, 0.5}, {0, 0, 0});
-    EXPECT_DOUBLE_EQ(half.r, 0.5);
-    // Half the light is display value 188, not 128.
-    EXPECT_EQ(srgbByte(half.r), 188);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ PanelSource fakeSource() {
             info.bar = ColourBar{"a quantity with a rather long name, \\hat{r}^{α}",
                                  {*fromWord<ScaleKind>(scene["bar"].get<std::string>()),
                                   number("bar_low", 1e-7), number("bar_high", 1e7)},
-                                 defaultPalette()};
+                                 *paletteNamed("versorium")};
         info.versorKey = scene.contains("versor");
         if (scene.contains("legend"))
             for (const char* text : {"inside", "outside, after a very long and winding explanation",

@@ -94,13 +94,5 @@ TEST(Ticks, FittingLabelsKeepTheirDistance) {
     }
 }
 
-TEST(ProseNumber, LooksLikeProse) {
-    EXPECT_EQ(proseNumber(-0.75), "−0.75");
-    EXPECT_EQ(proseNumber(1e6, 6), "1·10^{6}");
-    EXPECT_EQ(proseNumber(200), "200");
-    EXPECT_EQ(proseNumber(1.5e-7), "1.5·10^{−7}");
-    EXPECT_EQ(proseNumber(-std::numeric_limits<double>::infinity()), "−∞");
-}
-
 }  // namespace
 }  // namespace versorium

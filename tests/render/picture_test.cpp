@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/png.h"
+#include "io/image_files.h"
 
 namespace versorium {
 namespace {
@@ -28,7 +28,7 @@ void expectToRenderItself(const Scene& scene, const PictureOptions& options,
     const auto copy = renderPicture(other, *again, *read, threads);
     ASSERT_TRUE(copy.ok()) << name;
     EXPECT_TRUE(*copy == *png) << name;
-    const auto pixels = decodePng(*png);
+    const auto pixels = readImage(*png);
     ASSERT_TRUE(pixels.ok()) << name;
     EXPECT_EQ(pixels->size(), options.size);
 }

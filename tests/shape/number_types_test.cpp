@@ -8,6 +8,7 @@
 #include "base/random.h"
 #include "math/dual.h"
 #include "shape/distance.h"
+#include "shape/gallery.h"
 #include "trace/expr.h"
 #include "trace/interpret.h"
 

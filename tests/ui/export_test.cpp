@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "io/png.h"
+#include "io/image_files.h"
 #include "plate/plate_picture.h"
 #include "render/picture.h"
 #include "ui/headless_gui.h"
@@ -75,7 +75,7 @@ TEST(Export, ABarePictureKeepsItsAlpha) {
     Job job;
     const Expected<Bytes> png = made(workspace, options, job);
     ASSERT_TRUE(png.ok()) << png.status().message();
-    const Expected<Raster<unsigned char>> pixels = decodePng(*png);
+    const Expected<Raster<unsigned char>> pixels = readImage(*png);
     ASSERT_TRUE(pixels.ok());
     EXPECT_EQ(pixels->size().width, 40);
     EXPECT_EQ(pixels->size().height, 50);

@@ -48,7 +48,7 @@ TEST(Help, EveryControlOfTheInspectorExplainsItself) {
     const auto inspector = [&] { drawInspector(context); };
     expectHelpEverywhere(gui, inspector, "quadratic");
     Colouring& colour = context.workspace.view().colour;
-    colour.ownPalette = paletteToJson(ownPaletteFrom(defaultPalette()));
+    colour.ownPalette = paletteToJson(ownPaletteFrom(*paletteNamed("versorium")));
     colour.range = {1, 500};
     context.paletteStop = 1;
     context.touch();

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "scene/parts.h"
 #include "ui/session/context.h"
 
 namespace versorium {
@@ -19,16 +20,10 @@ void keepWhatFits(Scene& scene, const Scene& old) {
         if (before != old.parameters.end() && before->second.size() == value.size())
             value = before->second;
     }
-    if (mapOf(scene).info.field && mapOf(old).info.field) {
-        scene.shape = old.shape;
-        scene.alphaOverSpace = old.alphaOverSpace;
-        scene.betaOverSpace = old.betaOverSpace;
-        scene.assets = old.assets;
-    }
-    scene.colour = old.colour;
+    if (mapOf(scene).info.field && mapOf(old).info.field) keepShape(scene, old);
+    keepLook(scene, old);
     scene.samples = old.samples;
     scene.iterations = old.iterations;
-    scene.aspect = old.aspect;
 }
 
 bool axesFit(const Scene& scene, const SliceSpec& slice) {

@@ -6,6 +6,7 @@
 
 #include "maps/critical.h"
 #include "render/frame.h"
+#include "scene/parts.h"
 
 namespace versorium {
 namespace {
@@ -118,10 +119,7 @@ void change(StudioContext& context, const Scene& home, const Names& names,
         scene.escapeRadius = old.escapeRadius.value_or(automaticRadius(old));
         scene.escapeTest = old.escapeTest;
         scene.trap = old.trap;
-        scene.colour = old.colour;
-        scene.layers = old.layers;
-        scene.assets = old.assets;
-        scene.aspect = old.aspect;
+        keepLook(scene, old);
         scene.samples = old.samples;
         if (const auto slice = renamed(old.slice, names)) {
             scene.slice = *slice;
