@@ -3,6 +3,9 @@
 // A picture before it is a file: how it is computed, in what it is held, and which sizes it may
 // have.
 
+#include <vector>
+
+#include "fields/field_names.h"
 #include "image/raster.h"
 #include "maps/orbit_batch.h"
 #include "scene/scene.h"
@@ -13,6 +16,8 @@ struct RenderOptions {
     Flavour flavour = Flavour::exact;
     bool shortcuts = true;
     double lineWidth = 1;  // in pixels: of outlines of width 1
+    // Measured beside what the picture needs, where fields are kept (CpuRenderer::keepFields).
+    std::vector<FieldName> also = {};
 };
 
 // Linear light, straight alpha, four channels.

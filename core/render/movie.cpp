@@ -14,9 +14,11 @@ constexpr std::string_view kAnimations = "animations/";
 std::vector<std::string> animationNames() { return embeddedJsonNames(kAnimations); }
 
 Expected<Movie> animationNamed(const std::string& name) {
-    Expected<Json> json = embeddedJson(kAnimations, name, "animation");
-    if (!json) return json.status();
-    Expected<Document> document = documentFromJson(*json);
+    const Json json = embeddedJson(kAnimations, name);
+    if (json.is_null())
+        return Status::usage("no animation is named \"" + name +
+                             "\"; there are: " + embeddedJsonList(kAnimations));
+    Expected<Document> document = documentFromJson(json);
     if (!document) return document.status().in("animation " + name);
     Expected<Movie> movie = movieFromDocument(*document);
     return movie ? std::move(movie) : movie.status().in("animation " + name);

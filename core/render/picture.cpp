@@ -67,7 +67,7 @@ Expected<std::vector<unsigned char>> renderPicture(CpuRenderer& renderer, const 
     Frame frame;
     // Outlines of width 1 keep their share of the picture, whatever its size.
     const RenderOptions render{options.flavour, options.shortcuts,
-                               std::max(1.0, size.height / 400.0)};
+                               std::max(1.0, size.height / 400.0), options.also};
     if (Status status = renderer.render(scene, size, render, job, frame); !status.ok())
         return status;
     const Document document = pictureDocument(scene, options);

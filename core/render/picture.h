@@ -12,6 +12,7 @@ struct PictureOptions {
     Size size{0, 0};  // 0: 800 pixels high, as wide as the scene's aspect asks
     Flavour flavour = Flavour::exact;
     bool shortcuts = true;
+    std::vector<FieldName> also = {};  // RenderOptions::also
 };
 
 // The options that a document was rendered with; what it does not say keeps its default.

@@ -12,6 +12,9 @@
 namespace versorium {
 namespace {
 
+// Of fields between the picture and their files; what takes more is measured twice.
+constexpr std::size_t kMostKeptBytes = std::size_t{1} << 30;
+
 struct RenderRequest {
     SceneRequest source;
     std::string output, size, flavour, averaged;
@@ -121,6 +124,11 @@ Status renderScene(const RenderRequest& request, int threads) {
         if (Status status = countToFile(request.averaged, scene, options, renderer, job);
             !status.ok())
             return status;
+    // One sample in each pixel is its centre, where fields are saved: both are measured at once.
+    if (scene.samples == 1 && !files->empty()) {
+        renderer.keepFields(kMostKeptBytes);
+        for (const FieldFile& file : *files) options.also.push_back(file.field->field);
+    }
     Expected<std::vector<unsigned char>> png = renderPicture(renderer, scene, options, job);
     if (!png) return png.status();
     const Size size = pictureSize(scene, options);

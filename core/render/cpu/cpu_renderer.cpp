@@ -40,6 +40,17 @@ std::vector<std::vector<double>> evaluate(const OrbitProgram& program, const Sam
                           options);
 }
 
+// Of one tile that is kept, the fields in this order.
+std::vector<std::vector<double>> valuesOf(const FieldTiles& kept, std::size_t tile,
+                                          const std::vector<FieldName>& fields) {
+    std::vector<std::vector<double>> values;
+    for (const FieldName field : fields) {
+        const auto at = std::find(kept.fields.begin(), kept.fields.end(), field);
+        values.push_back(kept.tiles[tile][static_cast<std::size_t>(at - kept.fields.begin())]);
+    }
+    return values;
+}
+
 // Mean of the samples of each pixel of the tile: in linear light, colours weighted by alpha.
 void average(const Tile& tile, int perSide, const std::vector<Colour>& colours, Frame& frame) {
     const int across = tile.width * perSide;
@@ -78,6 +89,34 @@ Scene dynamicalScene(Scene scene) {
 
 }  // namespace
 
+CpuRenderer::Source CpuRenderer::sourceOf(const Scene& scene, Size size,
+                                          const RenderOptions& options, const ColourPass& pass,
+                                          const OrbitProgram& program) {
+    Source source;
+    source.fields = pass.fields();
+    keptLast_ = false;
+    // What is counted of an ensemble is kept as counts.
+    const bool mayKeep = fields_.keeps() && !averagedOf(scene, size);
+    if (mayKeep) {
+        FieldTiles wanted = KeptFields::tilesFor(scene, size, options, source.fields);
+        source.kept = fields_.find(wanted);
+        if (source.kept) return source;
+        for (const FieldName field : options.also)
+            if (std::find(source.fields.begin(), source.fields.end(), field) == source.fields.end())
+                source.fields.push_back(field);
+        double numbers = 0;
+        for (const FieldName field : source.fields) numbers += channelCount(field, program);
+        numbers *= 1.0 * size.width * size.height * scene.samples * scene.samples;
+        if (fields_.fits(numbers * sizeof(double))) {
+            wanted.fields = source.fields;
+            wanted.tiles.resize(tilesOf(size).size());
+            source.keeping = std::move(wanted);
+        }
+    }
+    ++measurements_;
+    return source;
+}
+
 const AveragedMap* CpuRenderer::averagedOf(const Scene& scene, Size size) const {
     return averaged_ && averaged_->check(scene, size).ok() ? averaged_.get() : nullptr;
 }
@@ -91,6 +130,7 @@ Status CpuRenderer::render(const Scene& scene, Size size, const RenderOptions& o
     if (!pass) return pass.status();
 
     const AveragedMap* averaged = averagedOf(scene, size);
+    Source source = sourceOf(scene, size, options, *pass, *program);
     const int perSide = scene.samples;
     const Size sampled{size.width * perSide, size.height * perSide};
     const Viewport view = viewportOf(scene, sampled);
@@ -100,11 +140,17 @@ Status CpuRenderer::render(const Scene& scene, Size size, const RenderOptions& o
     const std::vector<Tile> tiles = tilesOf(size);
     const bool done = job.parallelFor(tiles.size(), [&](std::size_t index) {
         const Tile& tile = tiles[index];
-        const Samples samples = samplesOf(tile, perSide, view, thirdCoordinate(scene));
-        std::vector<std::uint32_t> counts;
-        const EvaluateOptions own = withCounts(averaged, tile, perSide, options, job, counts);
-        const auto values = evaluate(*program, samples, pass->fields(), own);
-        std::vector<Colour> colours(samples.u.size());
+        std::vector<std::vector<double>> values;
+        if (source.kept) {
+            values = valuesOf(*source.kept, index, pass->fields());
+        } else {
+            const Samples samples = samplesOf(tile, perSide, view, thirdCoordinate(scene));
+            std::vector<std::uint32_t> counts;
+            const EvaluateOptions own = withCounts(averaged, tile, perSide, options, job, counts);
+            values = evaluate(*program, samples, source.fields, own);
+        }
+        std::vector<Colour> colours(
+            static_cast<std::size_t>(tile.width * tile.height * perSide * perSide));
         const int across = tile.width * perSide;
         for (std::size_t i = 0; i < colours.size(); ++i) {
             colours[i] = pass->colour(values, colours.size(), i);
@@ -113,8 +159,10 @@ Status CpuRenderer::render(const Scene& scene, Size size, const RenderOptions& o
                          tile.y * perSide + static_cast<int>(i) / across) = pass->side(values, i);
         }
         average(tile, perSide, colours, frame);
+        if (source.keeping) source.keeping->tiles[index] = std::move(values);
     });
     if (!done) return Status::cancelled();
+    keptLast_ = source.kept || (source.keeping && fields_.put(std::move(*source.keeping)));
     if (pass->hasLines())
         drawOutline(sides, perSide, options.lineWidth * scene.colour.outlineWidth,
                     pass->outlineColour(), frame.colour);
@@ -129,17 +177,26 @@ Status CpuRenderer::measure(const Scene& scene, Size size, const std::vector<Fie
     if (!program) return program.status();
     const AveragedMap* averaged = averagedOf(scene, size);
     const Viewport view = viewportOf(scene, size);
+    std::shared_ptr<const FieldTiles> kept;
+    if (fields_.keeps() && scene.samples == 1 && !averaged)
+        kept = fields_.find(KeptFields::tilesFor(scene, size, options, fields));
+    if (!kept) ++measurements_;
     rasters.clear();
     for (FieldName field : fields) rasters.emplace_back(size, channelCount(field, *program));
     const std::vector<Tile> tiles = tilesOf(size);
     const bool done = job.parallelFor(tiles.size(), [&](std::size_t index) {
         const Tile& tile = tiles[index];
-        const Samples samples = samplesOf(tile, 1, view, thirdCoordinate(scene));
-        std::vector<std::uint32_t> counts;
-        const auto values = evaluate(
-            *program, samples, fields,
-            withCounts(scene.samples == 1 ? averaged : nullptr, tile, 1, options, job, counts));
-        const std::size_t count = samples.u.size();
+        std::vector<std::vector<double>> values;
+        if (kept) {
+            values = valuesOf(*kept, index, fields);
+        } else {
+            const Samples samples = samplesOf(tile, 1, view, thirdCoordinate(scene));
+            std::vector<std::uint32_t> counts;
+            values = evaluate(
+                *program, samples, fields,
+                withCounts(scene.samples == 1 ? averaged : nullptr, tile, 1, options, job, counts));
+        }
+        const auto count = static_cast<std::size_t>(tile.width * tile.height);
         for (std::size_t f = 0; f < fields.size(); ++f)
             for (std::size_t i = 0; i < count; ++i)
                 for (int c = 0; c < rasters[f].channels(); ++c)
