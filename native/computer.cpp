@@ -4,6 +4,11 @@
 #include <algorithm>
 
 namespace versorium {
+namespace {
+
+bool isThumbnail(const WorkJob& job) { return std::holds_alternative<ThumbnailJob>(job); }
+
+}  // namespace
 
 Computer::Computer(std::function<void()> wake)
     : wake_(std::move(wake)), thread_([this] { work(); }) {}
@@ -20,60 +25,66 @@ Computer::~Computer() {
     if (exportThread_.joinable()) exportThread_.join();
 }
 
-void Computer::request(PictureRequest request) {
+void Computer::request(WorkRequest request) {
+    const int place = placeOf(request.job);
     {
         const std::lock_guard lock(mutex_);
         // Whoever looks at a view does not wait for the gallery.
-        if ((computing_ == request.view || computing_ == kThumbnails) && job_) job_->cancel();
-        waiting_[static_cast<std::size_t>(request.view)] = std::move(request);
+        if (computing_ && (placeOf(*computing_) == place || isThumbnail(*computing_)) && job_)
+            job_->cancel();
+        waiting_[static_cast<std::size_t>(place)] = std::move(request);
     }
     changed_.notify_all();
 }
 
 void Computer::drop(int view) {
+    const int place = placeOf(PictureJob{.view = view});
     const std::lock_guard lock(mutex_);
-    if (computing_ == view && job_) job_->cancel();
-    waiting_[static_cast<std::size_t>(view)].reset();
+    if (computing_ && placeOf(*computing_) == place && job_) job_->cancel();
+    waiting_[static_cast<std::size_t>(place)].reset();
 }
 
-std::optional<PictureAnswer> Computer::take() {
+std::optional<WorkAnswer> Computer::take() {
     const std::lock_guard lock(mutex_);
     if (answers_.empty()) return std::nullopt;
-    PictureAnswer answer = std::move(answers_.front());
+    WorkAnswer answer = std::move(answers_.front());
     answers_.erase(answers_.begin());
     return answer;
 }
 
+// Coarse pictures first: every view shows something before one of them is refined.
+WorkRequest Computer::nextRequest() {
+    std::optional<WorkRequest>* next = nullptr;
+    for (auto& one : waiting_)
+        if (one && (!next || isThumbnail((*next)->job) ||
+                    (!isThumbnail(one->job) && costOf(one->job) < costOf((*next)->job))))
+            next = &one;
+    WorkRequest request = std::move(**next);
+    next->reset();
+    return request;
+}
+
 void Computer::work() {
     std::unique_lock lock(mutex_);
-    const auto cost = [](const PictureRequest& request) {
-        return static_cast<double>(request.size.width) * request.size.height * request.samples *
-               request.samples;
-    };
     while (true) {
         changed_.wait(lock, [this] {
             return stop_ || std::any_of(waiting_.begin(), waiting_.end(),
                                         [](const auto& one) { return one.has_value(); });
         });
         if (stop_) return;
-        // Coarse pictures first: every view shows something before one of them is refined.
-        std::optional<PictureRequest>* next = nullptr;
-        for (auto& one : waiting_)
-            if (one && (!next || (one->view != kThumbnails && cost(*one) < cost(**next))))
-                next = &one;
-        PictureRequest request = std::move(**next);
-        next->reset();
-        computing_ = request.view;
+        WorkRequest request = nextRequest();
+        computing_ = request.job;
         job_ = std::make_unique<Job>();
         Job& job = *job_;
         lock.unlock();
-        PictureAnswer answer = computePicture(maker_, request, job);
+        WorkAnswer answer = compute(worker_, request, job);
         lock.lock();
-        computing_ = -1;
+        computing_.reset();
+        auto& again = waiting_[static_cast<std::size_t>(placeOf(request.job))];
         if (!job.cancelled())
             answers_.push_back(std::move(answer));
-        else if (request.view == kThumbnails && !waiting_[kThumbnails])
-            waiting_[kThumbnails] = std::move(request);
+        else if (isThumbnail(request.job) && !again)
+            again = std::move(request);
         job_.reset();
         lock.unlock();
         wake_();

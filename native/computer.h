@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Computes beside the window: the newest picture for each view on one thread that never stops, and
+// Computes beside the window: the newest job of each place on one thread that never stops, and
 // exports on another. Both call `wake` when something is there.
 
 #include <array>
@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "ui/host/picture_worker.h"
+#include "ui/host/worker.h"
 #include "workspace/workspace.h"
 
 namespace versorium {
@@ -21,8 +21,8 @@ class Computer {
     explicit Computer(std::function<void()> wake);
     ~Computer();
 
-    void request(PictureRequest request);
-    std::optional<PictureAnswer> take();
+    void request(WorkRequest request);
+    std::optional<WorkAnswer> take();
     void drop(int view);
 
     // `write` puts the bytes where they belong and says where that is.
@@ -34,16 +34,17 @@ class Computer {
 
   private:
     void work();
+    WorkRequest nextRequest();  // there is one
 
     std::function<void()> wake_;
     std::mutex mutex_;
     std::condition_variable changed_;
     bool stop_ = false;
-    std::array<std::optional<PictureRequest>, kPictureSlots> waiting_;
-    int computing_ = -1;  // the view whose picture is being made
+    std::array<std::optional<WorkRequest>, kWorkPlaces> waiting_;
+    std::optional<WorkJob> computing_;
     std::unique_ptr<Job> job_;
-    std::vector<PictureAnswer> answers_;
-    PictureMaker maker_;
+    std::vector<WorkAnswer> answers_;
+    Worker worker_;
     std::thread thread_;
 
     std::unique_ptr<Job> exportJob_;

@@ -47,8 +47,8 @@ class WindowHost final : public Host {
     void setClipboard(const std::string& text) override {
         glfwSetClipboardString(window_, text.c_str());
     }
-    void requestPicture(PictureRequest request) override { computer_.request(std::move(request)); }
-    std::optional<PictureAnswer> takePicture() override { return computer_.take(); }
+    void requestWork(WorkRequest request) override { computer_.request(std::move(request)); }
+    std::optional<WorkAnswer> takeAnswer() override { return computer_.take(); }
     void dropPicture(int view) override { computer_.drop(view); }
     void startExport(ExportRequest request) override {
         const std::string name = request.name;

@@ -10,14 +10,13 @@
 EM_JS(void, page_js_wake, (), { Module.page.wake(); });
 EM_JS(void, page_js_wake_after, (double seconds), { Module.page.wakeAfter(seconds); });
 EM_JS(void, page_js_copy, (const char* text), { Module.page.copy(UTF8ToString(text)); });
-EM_JS(void, page_js_request,
-      (int view, double id, const char* scene, int width, int height, int samples, double portion,
-       int least), {
-    Module.page.request(
-        { view, id, scene: UTF8ToString(scene), width, height, samples, portion, least });
+EM_JS(void, page_js_work,
+      (const char* head, const char* scene), {
+    Module.page.work(UTF8ToString(head), UTF8ToString(scene));
 });
-EM_JS(void, page_js_export, (const char* document, const char* name, int copy), {
-    Module.page.startExport(UTF8ToString(document), UTF8ToString(name), copy !== 0);
+EM_JS(void, page_js_export, (const char* document, const char* name, int copy, const char* assets), {
+    Module.page.startExport(UTF8ToString(document), UTF8ToString(name), copy !== 0,
+                            UTF8ToString(assets).split(" ").filter(Boolean));
 });
 EM_JS(int, page_js_makes_films, (), { return Module.page.makesFilms() ? 1 : 0; });
 EM_JS(void, page_js_cancel_export, (), { Module.page.cancelExport(); });
@@ -61,15 +60,20 @@ void PageHost::setClipboard(const std::string& text) {
     page_js_copy(text.c_str());
 }
 
-void PageHost::requestPicture(PictureRequest request) {
-    page_js_request(request.view, static_cast<double>(request.id), request.scene.c_str(),
-                    request.size.width, request.size.height, request.samples, request.portion,
-                    request.least);
+void PageHost::requestWork(WorkRequest request) {
+    assets_[static_cast<std::size_t>(placeOf(request.job))] = request.assets;
+    page_js_work(requestHead(request).c_str(), request.scene.c_str());
 }
 
-std::optional<PictureAnswer> PageHost::takePicture() {
+const Asset* PageHost::asset(const std::string& hash) const {
+    for (const Assets& assets : assets_)
+        if (const auto found = assets.find(hash); found != assets.end()) return found->second.get();
+    return nullptr;
+}
+
+std::optional<WorkAnswer> PageHost::takeAnswer() {
     if (answers_.empty()) return std::nullopt;
-    PictureAnswer answer = std::move(answers_.front());
+    WorkAnswer answer = std::move(answers_.front());
     answers_.pop_front();
     return answer;
 }
@@ -77,7 +81,11 @@ std::optional<PictureAnswer> PageHost::takePicture() {
 void PageHost::startExport(ExportRequest request) {
     exported_.reset();
     progress_ = 0;
-    page_js_export(request.document.c_str(), request.name.c_str(), request.toClipboard ? 1 : 0);
+    std::string hashes;
+    for (const auto& [hash, asset] : request.assets) hashes += hash + " ";
+    assets_.back() = std::move(request.assets);
+    page_js_export(request.document.c_str(), request.name.c_str(), request.toClipboard ? 1 : 0,
+                   hashes.c_str());
 }
 
 bool PageHost::makesFilms() const { return page_js_makes_films() != 0; }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The Host of a page. What JavaScript does for it stands in page/host.mjs: the object that the
-// module was created with as "page". Pictures and exports are computed in workers, which run this
-// very program (page_worker.cpp); their answers come back through the functions at the end.
+// module was created with as "page". Work and exports are computed in workers, which run this very
+// program (page_worker.cpp); their answers come back through the functions at the end.
 
+#include <array>
 #include <deque>
 
 #include "ui/host/host.h"
@@ -19,8 +20,8 @@ class PageHost : public Host {
     std::string clipboard() override { return clipboard_; }
     void setClipboard(const std::string& text) override;
 
-    void requestPicture(PictureRequest request) override;
-    std::optional<PictureAnswer> takePicture() override;
+    void requestWork(WorkRequest request) override;
+    std::optional<WorkAnswer> takeAnswer() override;
 
     void startExport(ExportRequest request) override;
     void cancelExport() override;
@@ -47,13 +48,17 @@ class PageHost : public Host {
 
     // What the page was given by others.
     void pasted(std::string text) { clipboard_ = std::move(text); }
-    void answer(PictureAnswer answer) { answers_.push_back(std::move(answer)); }
+    void answer(WorkAnswer answer) { answers_.push_back(std::move(answer)); }
+    // An asset of the newest request of a place, or of the export: a worker has it not. Null where
+    // nobody wants it any more.
+    const Asset* asset(const std::string& hash) const;
     void exportMoved(double progress) { progress_ = progress; }
     void exportEnded(Expected<std::string> outcome);
 
   private:
     std::string clipboard_;
-    std::deque<PictureAnswer> answers_;
+    std::deque<WorkAnswer> answers_;
+    std::array<Assets, kWorkPlaces + 1> assets_;  // the last ones are the export's
     double progress_ = -1;
     std::optional<Expected<std::string>> exported_;
 };

@@ -11,12 +11,12 @@
 #include <thread>
 #endif
 
-#include "ui/host/picture_worker.h"
+#include "ui/host/worker.h"
 
 // clang-format off
 EM_JS(void, worker_js_done,
-      (const unsigned char* bytes, int size, const char* message, double seconds, int members), {
-    Module.done(HEAPU8.slice(bytes, bytes + size), UTF8ToString(message), seconds, members);
+      (const unsigned char* bytes, int size, const char* head), {
+    Module.done(HEAPU8.slice(bytes, bytes + size), UTF8ToString(head));
 });
 EM_JS(void, worker_js_progress, (double progress), { Module.progress(progress); });
 // clang-format on
@@ -27,13 +27,11 @@ using namespace versorium;
 
 struct Result {
     std::vector<unsigned char> bytes;
-    std::string message;
-    double seconds = 0;
-    int members = 0;
+    std::string head;  // JSON: at least "message"
 };
 
-PictureMaker& maker() {
-    static PictureMaker kept;
+Worker& worker() {
+    static Worker kept;
     return kept;
 }
 
@@ -52,8 +50,7 @@ void say(float progress) { worker_js_progress(static_cast<double>(progress)); }
 void end() {
     const std::unique_ptr<Task> ended(std::exchange(task, nullptr));
     const Result& result = ended->result;
-    worker_js_done(result.bytes.data(), static_cast<int>(result.bytes.size()),
-                   result.message.c_str(), result.seconds, result.members);
+    worker_js_done(result.bytes.data(), static_cast<int>(result.bytes.size()), result.head.c_str());
 }
 
 // A thread that waits for others cannot start them in a browser: with threads the task runs on one,
@@ -76,25 +73,26 @@ void begin(int threads, Work work) {
 
 extern "C" {
 
-// Makes RGBA, or a message. `threads` counts the one that waits for the others.
-EMSCRIPTEN_KEEPALIVE void worker_picture(int threads, const char* scene, int width, int height,
-                                         int samples, double portion, int least) {
-    PictureRequest request;
-    request.scene = scene;
-    request.size = {width, height};
-    request.samples = samples;
-    request.portion = portion;
-    request.least = least;
-    begin(threads, [request](Job& job) {
-        PictureAnswer answer = computePicture(maker(), request, job);
-        return Result{std::move(answer.rgba), std::move(answer.message), answer.seconds,
-                      answer.members};
+// An asset that the tasks to come name.
+EMSCRIPTEN_KEEPALIVE void worker_asset(const char* hash, const char* name,
+                                       const unsigned char* bytes, int size) {
+    worker().assets.put(hash, std::make_shared<const Asset>(Asset{name, {bytes, bytes + size}}));
+}
+
+// Does a request (ui/host/work.h). `threads` counts the one that waits for the others.
+EMSCRIPTEN_KEEPALIVE void worker_work(int threads, const char* head, const char* scene) {
+    begin(threads, [request = requestFromHead(head, scene)](Job& job) {
+        if (!request) return Result{{}, Json{{"message", request.status().message()}}.dump()};
+        WorkAnswer answer = compute(worker(), *request, job);
+        std::string own = answerHead(answer);
+        return Result{std::move(bytesOf(answer.result)), std::move(own)};
     });
 }
 
 // Makes a PNG, or a message. Says its progress through Module.progress.
 EMSCRIPTEN_KEEPALIVE void worker_export(int threads, const char* document, const char* name) {
-    begin(threads, [request = ExportRequest{document, name, false}](Job& job) {
+    begin(threads, [request =
+                        ExportRequest{document, name, false, worker().assets.all()}](Job& job) {
         std::atomic<double> last = 0;
         job.onProgress = [&](double progress) {
             const double now = emscripten_get_now();
@@ -108,13 +106,10 @@ EMSCRIPTEN_KEEPALIVE void worker_export(int threads, const char* document, const
             say(static_cast<float>(progress));
 #endif
         };
-        Expected<std::vector<unsigned char>> bytes = computeExport(maker().renderer, request, job);
-        Result result;
-        if (bytes)
-            result.bytes = std::move(*bytes);
-        else
-            result.message = bytes.status().message();
-        return result;
+        Expected<std::vector<unsigned char>> bytes = computeExport(worker().renderer, request, job);
+        const std::string message = bytes ? std::string() : bytes.status().message();
+        return Result{bytes ? std::move(*bytes) : std::vector<unsigned char>(),
+                      Json{{"message", message}}.dump()};
     });
 }
 

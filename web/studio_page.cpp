@@ -42,9 +42,9 @@ struct Page {
     int cursor = -1;
     bool typing = false;
     bool lost = false;
-    double last = 0;  // seconds, of the frame before
-    PictureAnswer incoming;
-    std::string text;  // the last one that JavaScript was given
+    double last = 0;                      // seconds, of the frame before
+    std::vector<unsigned char> incoming;  // of an answer
+    std::string text;                     // the last one that JavaScript was given
 };
 
 // There is none in a worker.
@@ -158,23 +158,39 @@ EMSCRIPTEN_KEEPALIVE void page_context_restored() {
     page->settle = kSettle;
 }
 
-// A picture's answer: the pixels are written to where page_picture_begin points.
-EMSCRIPTEN_KEEPALIVE unsigned char* page_picture_begin(int view, double id, int width, int height,
-                                                       double seconds, int members) {
-    page->incoming = {.view = view,
-                      .id = static_cast<std::uint64_t>(id),
-                      .size = {width, height},
-                      .seconds = seconds,
-                      .members = members};
-    page->incoming.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
-                               4);
-    return page->incoming.rgba.data();
+// An answer of a worker: its bytes are written to where page_answer_begin points.
+EMSCRIPTEN_KEEPALIVE unsigned char* page_answer_begin(int size) {
+    page->incoming.resize(static_cast<std::size_t>(size));
+    return page->incoming.data();
 }
-EMSCRIPTEN_KEEPALIVE void page_picture_end(const char* message) {
-    page->incoming.message = message;
-    if (*message) page->incoming.rgba.clear();
-    page->host.answer(std::move(page->incoming));
+EMSCRIPTEN_KEEPALIVE void page_answer_end(const char* head) {
     page->settle = kSettle;
+    if (Expected<WorkAnswer> answer = answerFromHead(head, std::move(page->incoming)))
+        page->host.answer(std::move(*answer));
+    page->incoming.clear();
+}
+// What a request gets whose worker broke.
+EMSCRIPTEN_KEEPALIVE void page_work_failed(const char* head, const char* message) {
+    page->settle = kSettle;
+    const Expected<WorkRequest> request = requestFromHead(head, "");
+    if (!request) return;
+    WorkAnswer answer = answerTo(request->id, request->job);
+    answer.message = message;
+    page->host.answer(std::move(answer));
+}
+
+// An asset that a worker has not; null where nobody wants it any more.
+EMSCRIPTEN_KEEPALIVE const unsigned char* page_asset(const char* hash) {
+    const Asset* asset = page->host.asset(hash);
+    return asset ? asset->bytes.data() : nullptr;
+}
+EMSCRIPTEN_KEEPALIVE int page_asset_size(const char* hash) {
+    const Asset* asset = page->host.asset(hash);
+    return asset ? static_cast<int>(asset->bytes.size()) : 0;
+}
+EMSCRIPTEN_KEEPALIVE const char* page_asset_name(const char* hash) {
+    const Asset* asset = page->host.asset(hash);
+    return kept(asset ? asset->name : std::string());
 }
 
 EMSCRIPTEN_KEEPALIVE void page_export_progress(double progress) {

@@ -73,6 +73,15 @@ Status assignList(RootList& list, const std::string& value) {
     return {};
 }
 
+// Those that stand in the body itself.
+Status moveAssets(Document& document) {
+    Json& body = document.body;
+    if (!body.is_object() || !body.contains("assets")) return {};
+    Status status = assetsFromJson(body["assets"], "assets", document.assets);
+    body.erase("assets");
+    return status;
+}
+
 Status refused(const Assignment& assignment, const std::string& message) {
     return Status::usage("--set " + assignment.key + "=" + assignment.value + ": " + message);
 }
@@ -115,7 +124,7 @@ Json documentToJson(const Document& document) {
     json["kind"] = document.kind;
     json["render"] = document.render;
     json["body"] = document.body;
-    if (!document.assets.empty()) json["assets"] = document.assets;
+    if (!document.assets.empty()) json["assets"] = assetsToJson(document.assets);
     return json;
 }
 
@@ -126,7 +135,8 @@ Expected<Document> documentFromJson(const Json& json) {
         document.kind = json.contains("panels") ? "plate"
                         : json.contains("keys") ? "animation"
                                                 : "scene";
-        document.body = withoutAssets(json, document.assets);
+        document.body = json;
+        if (Status status = moveAssets(document); !status.ok()) return status;
         return document;
     }
     ObjectReader reader(json, "");
@@ -137,11 +147,13 @@ Expected<Document> documentFromJson(const Json& json) {
                             " is newer than this program; update it");
     reader.word("kind", document.kind, {"scene", "plate", "animation"});
     if (const Json* render = reader.child("render")) document.render = *render;
-    if (const Json* assets = reader.child("assets")) document.assets = *assets;
+    if (const Json* assets = reader.child("assets"))
+        reader.fail(assetsFromJson(*assets, "assets", document.assets));
     const Json* body = reader.child("body");
     if (!body) reader.fail("\"body\" is missing: a scene or a plate");
     if (const Status status = reader.finish(); !status.ok()) return status;
-    document.body = withoutAssets(*body, document.assets);
+    document.body = *body;
+    if (Status status = moveAssets(document); !status.ok()) return status.in("body");
     return document;
 }
 
@@ -170,40 +182,16 @@ Expected<Document> readDocument(const std::string& path) {
     return document ? std::move(document) : document.status().in(path);
 }
 
-Json withoutAssets(Json scene, Json& assets) {
-    if (!scene.is_object() || !scene.contains("assets")) return scene;
-    if (scene["assets"].is_object())
-        for (auto item = scene["assets"].begin(); item != scene["assets"].end(); ++item)
-            assets[item.key()] = *item;
-    scene.erase("assets");
-    return scene;
-}
-
-void addAssets(const Scene& scene, Json& assets) {
+void addAssets(const Scene& scene, Assets& assets) {
     const std::set<std::string> named = namedAssets(scene);
-    for (const auto& [hash, asset] : scene.assets)
-        if (named.contains(hash) && !assets.contains(hash)) assets[hash] = assetToJson(*asset);
+    for (const auto& asset : scene.assets)
+        if (named.contains(asset.first)) assets.insert(asset);
 }
 
-std::vector<std::string> assetsNamed(const Json& json) {
-    constexpr std::string_view prefix = "asset:";
-    std::vector<std::string> names;
-    if (json.is_string()) {
-        const std::string& text = json.get_ref<const std::string&>();
-        if (text.starts_with(prefix)) names.push_back(text.substr(prefix.size()));
-    } else if (json.is_structured()) {
-        for (const Json& part : json)
-            for (std::string& name : assetsNamed(part)) names.push_back(std::move(name));
-    }
-    return names;
-}
-
-Expected<Scene> sceneWithAssets(const Json& scene, const Json& assets) {
-    Json whole = scene;
-    // Only what the scene names: panels of a plate do not share what they do not use.
-    for (const std::string& hash : assetsNamed(scene))
-        if (assets.contains(hash)) whole["assets"][hash] = *assets.find(hash);
-    return sceneFromJson(whole);
+Expected<Scene> sceneWithAssets(const Json& scene, const Assets& assets) {
+    Expected<Scene> read = sceneFromJson(scene);
+    if (read) takeAssets(*read, assets);
+    return read;
 }
 
 Expected<Assignment> parseAssignment(const std::string& text) {

@@ -20,7 +20,7 @@ inline constexpr std::size_t kDocumentBytes = std::size_t{64} << 20;
 struct Document {
     std::string kind = "scene";  // or "plate", or "animation"
     Json body;                   // one of these, without assets
-    Json assets = Json::object();
+    Assets assets;
     Json render = Json::object();  // the options that made the picture
 };
 
@@ -31,14 +31,11 @@ Expected<Document> documentFromJson(const Json& json);
 Expected<Document> readDocument(const std::string& path);
 Expected<Document> documentFromBytes(std::span<const unsigned char> bytes);
 
-// The SHA-256 of every asset that something in this JSON names.
-std::vector<std::string> assetsNamed(const Json& json);
-// The scene of a scene document, or of one panel, with the document's assets.
-Expected<Scene> sceneWithAssets(const Json& scene, const Json& assets);
-// Moves the assets of a scene's JSON to `assets`.
-Json withoutAssets(Json scene, Json& assets);
+// The scene of a scene document, or of one panel, with those of the document's assets that it
+// names: panels of a plate do not share what they do not use.
+Expected<Scene> sceneWithAssets(const Json& scene, const Assets& assets);
 // Adds those of the scene's assets that something in it names.
-void addAssets(const Scene& scene, Json& assets);
+void addAssets(const Scene& scene, Assets& assets);
 
 // --set key=value. A key is a path of the scene ("colour.palette"), the last part of one
 // ("palette", "height"), or a number's or parameter's name ("c", "c.re", "roots[0].power"). `shape`

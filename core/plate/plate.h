@@ -137,7 +137,7 @@ struct Plate {
 
 // Strict: ErrorKind::data with the path to the fault. Scenes take what they name of `assets`. Every
 // default is written out again, so that no picture depends on later defaults.
-Expected<Plate> plateFromJson(const Json& value, const Json& assets = Json::object());
+Expected<Plate> plateFromJson(const Json& value, const Assets& assets = {});
 // Without the assets of its scenes.
 Json plateToJson(const Plate& plate);
 

@@ -192,7 +192,7 @@ bool goodName(const std::string& name) {
     return true;
 }
 
-Status readPanel(const Json& value, const std::string& path, const Json& assets,
+Status readPanel(const Json& value, const std::string& path, const Assets& assets,
                  PlatePanel& panel) {
     ObjectReader reader(value, path);
     std::string kind = "scene";
@@ -328,7 +328,7 @@ Json panelToJson(const PlatePanel& panel) {
 
 }  // namespace
 
-Expected<Plate> plateFromJson(const Json& value, const Json& assets) {
+Expected<Plate> plateFromJson(const Json& value, const Assets& assets) {
     Plate plate;
     ObjectReader reader(value, "");
     int version = Plate::kVersion;

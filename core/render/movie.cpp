@@ -3,6 +3,7 @@
 
 #include "base/embedded_json.h"
 #include "io/zip.h"
+#include "scene/parts.h"
 
 namespace versorium {
 namespace {
@@ -27,12 +28,9 @@ Expected<Movie> animationNamed(const std::string& name) {
 Expected<Movie> movieFromDocument(const Document& document) {
     if (document.kind != "animation")
         return Status::data("an animation is expected, and this is a " + document.kind);
-    Json whole = document.body;
-    if (whole.is_object() && whole.contains("scene") && whole["scene"].is_object())
-        for (auto asset = document.assets.begin(); asset != document.assets.end(); ++asset)
-            whole["scene"]["assets"][asset.key()] = *asset;
-    Expected<Animation> animation = animationFromJson(whole);
+    Expected<Animation> animation = animationFromJson(document.body);
     if (!animation) return animation.status();
+    takeAssets(animation->scene, document.assets);
     Expected<PictureOptions> options = pictureOptions(document);
     if (!options) return options.status();
     return Movie{std::move(*animation), *options};
@@ -41,9 +39,9 @@ Expected<Movie> movieFromDocument(const Document& document) {
 Document documentOfMovie(const Movie& movie) {
     Document document = pictureDocument(movie.animation.scene, movie.options);
     document.kind = "animation";
-    Json body = animationToJson(movie.animation);
-    body["scene"] = document.body;
-    document.body = std::move(body);
+    Animation bare = movie.animation;
+    bare.scene.assets.clear();
+    document.body = animationToJson(bare);
     return document;
 }
 

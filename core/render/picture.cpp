@@ -48,7 +48,8 @@ Size pictureSize(const Scene& scene, const PictureOptions& options) {
 Document pictureDocument(const Scene& scene, const PictureOptions& options) {
     const Size size = pictureSize(scene, options);
     Document document;
-    document.body = withoutAssets(sceneToJson(scene), document.assets);
+    document.body = sceneBody(scene);
+    document.assets = scene.assets;
     document.render = Json{{"width", size.width},
                            {"height", size.height},
                            {"flavour", options.flavour == Flavour::fast ? "fast" : "exact"}};

@@ -35,4 +35,17 @@ void dropAssetsExcept(Scene& scene, const std::set<std::string>& named) {
     std::erase_if(scene.assets, [&](const auto& asset) { return !named.contains(asset.first); });
 }
 
+void takeAssets(Scene& scene, const Assets& assets) {
+    for (const std::string& hash : namedAssets(scene))
+        if (const auto found = assets.find(hash); found != assets.end())
+            scene.assets.insert(*found);
+}
+
+Json sceneKey(const Scene& scene) {
+    Json key = sceneBody(scene);
+    for (const std::string& hash : namedAssets(scene))
+        if (scene.assets.contains(hash)) key["assets"].push_back(hash);
+    return key;
+}
+
 }  // namespace versorium

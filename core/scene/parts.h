@@ -17,5 +17,11 @@ void keepLook(Scene& scene, const Scene& old);
 // The SHA-256 of every asset that something in the scene names, whether it has it or not.
 std::set<std::string> namedAssets(const Scene& scene);
 void dropAssetsExcept(Scene& scene, const std::set<std::string>& named);
+// Takes what the scene names and has not yet.
+void takeAssets(Scene& scene, const Assets& assets);
+
+// The scene's body, and which assets it has of those that it names: equal for scenes that are drawn
+// and saved alike.
+Json sceneKey(const Scene& scene);
 
 }  // namespace versorium

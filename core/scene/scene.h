@@ -28,6 +28,8 @@ struct Asset {
     std::string name;  // the file's own name; its ending says what it is
     std::vector<unsigned char> bytes;
 };
+// By SHA-256. Bytes are never copied: whoever needs them shares them.
+using Assets = std::map<std::string, std::shared_ptr<const Asset>>;
 
 struct SliceAxis {
     // Names of numbers ("c.re", "z.im", "power", "roots[2].x") with their weights.
@@ -137,7 +139,7 @@ struct Scene {
     std::vector<Layer> layers;  // from the bottom up
     double aspect = 1;          // width / height of the picture
     int samples = 2;            // along each side of a pixel, averaged in linear light
-    std::map<std::string, std::shared_ptr<const Asset>> assets;  // by SHA-256
+    Assets assets;
 };
 
 inline constexpr int kMostIterations = 10000000;
@@ -161,8 +163,9 @@ Json sceneToJson(const Scene& scene);
 // The same without the assets' bytes: they are named by their SHA-256, so equal texts are equal
 // scenes.
 Json sceneBody(const Scene& scene);
-// As the scene's JSON holds it.
-Json assetToJson(const Asset& asset);
+// {SHA-256: {"name", "data": Base64}, …}. Reading checks every one.
+Json assetsToJson(const Assets& assets);
+Status assetsFromJson(const Json& value, const std::string& path, Assets& assets);
 
 // Puts an asset in and returns its name for ShapeSpec::source.
 std::string addAsset(Scene& scene, Asset asset);

@@ -6,29 +6,6 @@
 #include "scene/properties.h"
 
 namespace versorium {
-namespace {
-
-void readAssets(ObjectReader& reader, Scene& scene) {
-    const Json* found = reader.child("assets");
-    if (!found) return;
-    if (!found->is_object()) return reader.fail("assets", "an object is expected");
-    std::size_t total = 0;
-    for (auto item = found->begin(); item != found->end(); ++item) {
-        const std::string path = reader.pathOf("assets") + "." + item.key();
-        ObjectReader one(*item, path);
-        std::string name, data;
-        one.text("name", name).text("data", data);
-        if (const Status status = one.finish(); !status.ok()) return reader.fail(status);
-        Expected<std::vector<unsigned char>> bytes = base64Decode(data, kMostAssetBytes - total);
-        if (!bytes) return reader.fail(bytes.status().in(path + ".data"));
-        total += bytes->size();
-        if (sha256(*bytes) != item.key())
-            return reader.fail(Status::data(path + ": the content does not have this SHA-256"));
-        addAsset(scene, {name, std::move(*bytes)});
-    }
-}
-
-}  // namespace
 
 Expected<Scene> sceneFromJson(const Json& value) {
     ObjectReader reader(value, "");
@@ -62,19 +39,44 @@ Expected<Scene> sceneFromJson(const Json& value) {
                             "\"; the command \"versorium maps\" lists them");
     Scene scene = sceneOf(*map);
     readProperties(reader, scene, sceneTable());
-    readAssets(reader, scene);
+    if (const Json* assets = reader.child("assets"))
+        reader.fail(assetsFromJson(*assets, reader.pathOf("assets"), scene.assets));
     if (const Status status = reader.finish(); !status.ok()) return status;
     if (const Status status = checkScene(scene); !status.ok()) return status;
     return scene;
 }
 
-Json assetToJson(const Asset& asset) {
-    return Json{{"name", asset.name}, {"data", base64Encode(asset.bytes)}};
+Json assetsToJson(const Assets& assets) {
+    Json json = Json::object();
+    for (const auto& [hash, asset] : assets)
+        json[hash] = Json{{"name", asset->name}, {"data", base64Encode(asset->bytes)}};
+    return json;
+}
+
+Status assetsFromJson(const Json& value, const std::string& path, Assets& assets) {
+    if (!value.is_object()) return Status::data(path + ": an object is expected");
+    std::size_t total = 0;
+    for (auto item = value.begin(); item != value.end(); ++item) {
+        const std::string own = path + "." + item.key();
+        ObjectReader one(*item, own);
+        Asset asset;
+        std::string data;
+        one.text("name", asset.name).text("data", data);
+        if (Status status = one.finish(); !status.ok()) return status;
+        Expected<std::vector<unsigned char>> bytes = base64Decode(data, kMostAssetBytes - total);
+        if (!bytes) return bytes.status().in(own + ".data");
+        total += bytes->size();
+        if (sha256(*bytes) != item.key())
+            return Status::data(own + ": the content does not have this SHA-256");
+        asset.bytes = std::move(*bytes);
+        assets[item.key()] = std::make_shared<const Asset>(std::move(asset));
+    }
+    return {};
 }
 
 Json sceneToJson(const Scene& scene) {
     Json json = sceneBody(scene);
-    for (const auto& [hash, asset] : scene.assets) json["assets"][hash] = assetToJson(*asset);
+    if (!scene.assets.empty()) json["assets"] = assetsToJson(scene.assets);
     return json;
 }
 

@@ -62,12 +62,12 @@ struct Studio::State {
 };
 
 void Studio::State::takeAnswers() {
-    while (std::optional<PictureAnswer> answer = context.host.takePicture())
-        if (answer->view >= 0 && answer->view < kMostViews)
-            context.views[static_cast<std::size_t>(answer->view)].picture.take(std::move(*answer));
-        else if (answer->view == kGridSlot)
+    while (std::optional<WorkAnswer> answer = context.host.takeAnswer())
+        if (const auto* picture = std::get_if<PictureResult>(&answer->result))
+            context.views[static_cast<std::size_t>(picture->view)].picture.take(std::move(*answer));
+        else if (std::holds_alternative<GridResult>(answer->result))
             context.takeGrid(*answer);
-        else if (answer->view == kThumbnails && !takeCandidate(context, *answer))
+        else if (!takeCandidate(context, *answer))
             context.gallery.take(std::move(*answer));
     takeExport(context);
 }

@@ -397,7 +397,7 @@ void setAxis(Workspace& workspace, std::size_t axis, const std::string& name) {
 }
 
 void History::record(const Workspace& workspace) {
-    if (workspaceToJson(workspace) == workspaceToJson(now())) return;
+    if (workspaceKey(workspace) == workspaceKey(now())) return;
     states_.resize(at_ + 1);
     states_.push_back(workspace);
     if (states_.size() > kMost) states_.erase(states_.begin());

@@ -162,6 +162,8 @@ std::array<double, 4> bordersOf(const Scene& scene, double aspect);
 bool setBorder(Scene& scene, int border, double value, double aspect);
 
 Json workspaceToJson(const Workspace& workspace);
+// Equal for equal workspaces; assets stand in it by their SHA-256 (scene/parts.h, sceneKey).
+Json workspaceKey(const Workspace& workspace);
 // Strict, like sceneFromJson: ErrorKind::data with the path of the fault.
 Expected<Workspace> workspaceFromJson(const Json& json);
 

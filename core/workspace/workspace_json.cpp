@@ -4,6 +4,7 @@
 #include "base/base64.h"
 #include "io/document.h"
 #include "io/stb_png.h"
+#include "scene/parts.h"
 #include "workspace/workspace_properties.h"
 
 namespace versorium {
@@ -45,7 +46,7 @@ Json shortScene(const Scene& scene) {
 
 Status checkWelded(const Workspace& workspace) {
     const auto shared = [](const Scene& scene) {
-        Json json = sceneToJson(scene);
+        Json json = sceneBody(scene);
         json["parameters"].erase(kAsPrinted);
         return json;
     };
@@ -62,15 +63,19 @@ Status checkWelded(const Workspace& workspace) {
     return {};
 }
 
-}  // namespace
-
-Json workspaceToJson(const Workspace& workspace) {
+// With the views as `sceneJson` writes them.
+Json toJson(const Workspace& workspace, Json (*sceneJson)(const Scene&)) {
     Json json;
     json["views"] = Json::array();
-    for (const Scene& scene : workspace.views) json["views"].push_back(shortScene(scene));
+    for (const Scene& scene : workspace.views) json["views"].push_back(sceneJson(scene));
     writeProperties(workspace, workspaceTable(), json);
     return json;
 }
+
+}  // namespace
+
+Json workspaceToJson(const Workspace& workspace) { return toJson(workspace, shortScene); }
+Json workspaceKey(const Workspace& workspace) { return toJson(workspace, sceneKey); }
 
 Expected<Workspace> workspaceFromJson(const Json& json) {
     Workspace workspace;

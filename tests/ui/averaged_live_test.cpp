@@ -6,7 +6,7 @@
 
 #include "render/averaged_star.h"
 #include "ui/headless_gui.h"
-#include "ui/host/picture_worker.h"
+#include "ui/host/worker.h"
 
 namespace versorium {
 namespace {
@@ -21,31 +21,28 @@ std::vector<double> meanByMeasuring(const Scene& scene) {
     return rasters[0].values();
 }
 
-PictureRequest requestFor(const Scene& scene, double portion, int least = 0) {
-    PictureRequest request;
-    request.scene = sceneToJson(scene).dump();
-    request.size = kSize;
-    request.samples = 1;
-    request.portion = portion;
-    request.least = least;
-    return request;
+PictureResult answered(Worker& worker, const Scene& scene, Job& job, double portion,
+                       int least = 0) {
+    const PictureJob wanted{.size = kSize, .samples = 1, .portion = portion, .least = least};
+    const WorkAnswer answer = compute(worker, requestOf(1, scene, wanted), job);
+    EXPECT_EQ(answer.message, "");
+    return std::get<PictureResult>(answer.result);
 }
 
 TEST(AveragedPictures, PortionByPortionAreThoseOfOneGo) {
     const Scene scene = averagedStar(24);
-    PictureMaker maker;
+    Worker worker;
     Job job(2);
     int members = 0, portions = 0;
     while (members < 24) {
         // No time at all: one member for each request.
-        const PictureAnswer answer = computePicture(maker, requestFor(scene, 1e-9), job);
-        ASSERT_EQ(answer.message, "");
+        const PictureResult answer = answered(worker, scene, job, 1e-9);
         EXPECT_EQ(answer.members, ++members);
         EXPECT_EQ(answer.rgba.size(), 4u * kSize.width * kSize.height);
         ++portions;
     }
     EXPECT_EQ(portions, 24);
-    const auto map = *maker.averaged.of(scene, kSize);
+    const auto map = *worker.averaged.of(scene, kSize);
     EXPECT_EQ(map->members(), 24u);
     // What the command line counts.
     EXPECT_EQ(map->mean().values(), meanByMeasuring(scene));
@@ -53,60 +50,61 @@ TEST(AveragedPictures, PortionByPortionAreThoseOfOneGo) {
 
 TEST(AveragedPictures, OtherColoursCountNothingAndMoreMembersGoOn) {
     Scene scene = averagedStar(20);
-    PictureMaker maker;
+    Worker worker;
     Job job(1);
-    EXPECT_EQ(computePicture(maker, requestFor(scene, 100), job).members, 20);
-    const AveragedMap* counted = maker.averaged.of(scene, kSize)->get();
+    EXPECT_EQ(answered(worker, scene, job, 100).members, 20);
+    const AveragedMap* counted = worker.averaged.of(scene, kSize)->get();
     scene.colour.field = FieldName::standardError;
     scene.colour.palette = "fire";
     scene.colour.contours = {0.01};
-    EXPECT_EQ(maker.averaged.of(scene, kSize)->get(), counted);
-    EXPECT_EQ(computePicture(maker, requestFor(scene, 1e-9), job).members, 20);
+    EXPECT_EQ(worker.averaged.of(scene, kSize)->get(), counted);
+    EXPECT_EQ(answered(worker, scene, job, 1e-9).members, 20);
     scene.ensemble.count = 30;
-    EXPECT_EQ(computePicture(maker, requestFor(scene, 1e-9), job).members, 21);
-    EXPECT_EQ(computePicture(maker, requestFor(scene, 100), job).members, 30);
-    EXPECT_EQ((*maker.averaged.of(scene, kSize))->mean().values(), meanByMeasuring(scene));
+    EXPECT_EQ(answered(worker, scene, job, 1e-9).members, 21);
+    EXPECT_EQ(answered(worker, scene, job, 100).members, 30);
+    EXPECT_EQ((*worker.averaged.of(scene, kSize))->mean().values(), meanByMeasuring(scene));
     // Fewer members are another map, and so is another seed.
     scene.ensemble.count = 10;
-    EXPECT_EQ(computePicture(maker, requestFor(scene, 1e-9), job).members, 1);
+    EXPECT_EQ(answered(worker, scene, job, 1e-9).members, 1);
     scene.ensemble.seed = 2;
-    EXPECT_EQ((*maker.averaged.of(scene, kSize))->members(), 0u);
+    EXPECT_EQ((*worker.averaged.of(scene, kSize))->members(), 0u);
 }
 
 TEST(AveragedPictures, WithFewerMembersThanShownComeWithoutPixels) {
     const Scene scene = averagedStar(20);
-    PictureMaker maker;
+    Worker worker;
     Job job(1);
-    PictureAnswer answer = computePicture(maker, requestFor(scene, 1e-9, 2), job);
+    PictureResult answer = answered(worker, scene, job, 1e-9, 2);
     EXPECT_EQ(answer.members, 1);
     EXPECT_TRUE(answer.rgba.empty());
-    answer = computePicture(maker, requestFor(scene, 1e-9, 2), job);
+    answer = answered(worker, scene, job, 1e-9, 2);
     EXPECT_EQ(answer.members, 2);
     EXPECT_FALSE(answer.rgba.empty());
 }
 
 TEST(AveragedPictures, CancelledKeepWhatTheyHad) {
     const Scene scene = averagedStar(20);
-    PictureMaker maker;
+    Worker worker;
     Job job(1), cancelled(1);
-    EXPECT_EQ(computePicture(maker, requestFor(scene, 1e-9), job).members, 1);
+    EXPECT_EQ(answered(worker, scene, job, 1e-9).members, 1);
     cancelled.cancel();
-    EXPECT_NE(computePicture(maker, requestFor(scene, 1), cancelled).message, "");
-    EXPECT_EQ((*maker.averaged.of(scene, kSize))->members(), 1u);
+    const PictureJob wanted{.size = kSize, .samples = 1, .portion = 1};
+    EXPECT_NE(compute(worker, requestOf(1, scene, wanted), cancelled).message, "");
+    EXPECT_EQ((*worker.averaged.of(scene, kSize))->members(), 1u);
 }
 
 // Computes at once, in the place of a worker.
 class CountingHost : public SilentHost {
   public:
-    PictureMaker maker;
-    std::deque<PictureAnswer> answers;
+    Worker worker;
+    std::deque<WorkAnswer> answers;
 
-    void requestPicture(PictureRequest request) override {
+    void requestWork(WorkRequest request) override {
         Job job(1);
         // Shorter than asked for, so that there are several portions.
-        request.portion /= 20;
-        answers.push_back(computePicture(maker, request, job));
-        pictures.push_back(std::move(request));
+        std::get<PictureJob>(request.job).portion /= 20;
+        answers.push_back(compute(worker, request, job));
+        requests.push_back(std::move(request));
     }
 };
 
@@ -147,8 +145,9 @@ TEST(AveragedPictures, ALiveOneSharpensToTheEnd) {
     EXPECT_EQ(members.back(), 200);
     EXPECT_EQ(view.picture.memberGoal(), 200);
     EXPECT_EQ(view.picture.message(), "");
-    EXPECT_LT(view.host.pictures.front().size.width, kSize.width) << "the first one is coarse";
-    EXPECT_EQ((*view.host.maker.averaged.of(scene, kSize))->mean().values(),
+    EXPECT_LT(std::get<PictureJob>(view.host.requests.front().job).size.width, kSize.width)
+        << "the first one is coarse";
+    EXPECT_EQ((*view.host.worker.averaged.of(scene, kSize))->mean().values(),
               meanByMeasuring(scene));
 
     // More members go on from there, and no picture of fewer is shown again.
@@ -162,12 +161,12 @@ TEST(AveragedPictures, ALiveOneAsksOnceForOtherColours) {
     Scene scene = averagedStar(50);
     view.watch(scene);
     ASSERT_TRUE(view.picture.finished());
-    const std::size_t before = view.host.pictures.size();
+    const std::size_t before = view.host.requests.size();
     const int shown = view.picture.pictures();
     scene.colour.palette = "fire";
     EXPECT_EQ(view.watch(scene), std::vector<int>{50});
-    EXPECT_EQ(view.host.pictures.size(), before + 1);
-    EXPECT_EQ(view.host.pictures.back().size, kSize) << "no coarse picture in between";
+    EXPECT_EQ(view.host.requests.size(), before + 1);
+    EXPECT_EQ(view.host.pictureJob().size, kSize) << "no coarse picture in between";
     EXPECT_EQ(view.picture.pictures(), shown + 1);
 }
 
@@ -177,9 +176,9 @@ TEST(AveragedPictures, SeveralSamplesAreCountedBehindThePictureThatIsShown) {
     scene.samples = 2;
     view.watch(scene);
     ASSERT_TRUE(view.picture.finished());
-    EXPECT_EQ(view.host.pictures.back().samples, 2);
-    EXPECT_EQ(view.host.pictures.back().least, 40);
-    EXPECT_EQ((*view.host.maker.averaged.of(scene, kSize))->members(), 40u);
+    EXPECT_EQ(view.host.pictureJob().samples, 2);
+    EXPECT_EQ(view.host.pictureJob().least, 40);
+    EXPECT_EQ((*view.host.worker.averaged.of(scene, kSize))->members(), 40u);
 }
 
 }  // namespace

@@ -14,8 +14,8 @@ class NoHost : public Host {
     void wake() override {}
     std::string clipboard() override { return {}; }
     void setClipboard(const std::string&) override {}
-    void requestPicture(PictureRequest) override {}
-    std::optional<PictureAnswer> takePicture() override { return {}; }
+    void requestWork(WorkRequest) override {}
+    std::optional<WorkAnswer> takeAnswer() override { return {}; }
     void startExport(ExportRequest) override {}
     void cancelExport() override {}
     double exportProgress() const override { return -1; }

@@ -5,7 +5,7 @@
 #include "plate/plate_picture.h"
 #include "render/picture.h"
 #include "ui/headless_gui.h"
-#include "ui/host/picture_worker.h"
+#include "ui/host/worker.h"
 
 namespace versorium {
 namespace {

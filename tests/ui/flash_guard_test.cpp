@@ -98,15 +98,11 @@ TEST(FlashGuard, MeasuresTheMeanLightOfCells) {
 
 // A picture of one colour for whatever is asked.
 void answer(SilentHost& host, LivePicture& picture, unsigned char grey) {
-    ASSERT_FALSE(host.pictures.empty());
-    const PictureRequest request = host.pictures.back();
-    PictureAnswer given;
-    given.view = request.view;
-    given.id = request.id;
-    given.size = request.size;
-    given.rgba.assign(4u * static_cast<std::size_t>(request.size.width * request.size.height),
-                      grey);
-    given.seconds = 0.001;
+    ASSERT_FALSE(host.requests.empty());
+    WorkAnswer given = answerTo(host.requests.back().id, host.requests.back().job);
+    auto& result = std::get<PictureResult>(given.result);
+    result.rgba.assign(4u * static_cast<std::size_t>(result.size.width * result.size.height), grey);
+    result.seconds = 0.001;
     picture.take(std::move(given));
 }
 

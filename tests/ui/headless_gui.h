@@ -22,7 +22,7 @@ class SilentHost : public Host {
     // There may be no OpenGL where tests run.
     std::map<std::string, std::string> kept{{"renderer", "processor"}};
     std::vector<ExportRequest> exports;
-    std::vector<PictureRequest> pictures;
+    std::vector<WorkRequest> requests;
     std::optional<Expected<std::string>> outcome;
     double wakeAfter = -1;
     bool still = false;
@@ -31,8 +31,10 @@ class SilentHost : public Host {
     void wake() override {}
     std::string clipboard() override { return copied; }
     void setClipboard(const std::string& text) override { copied = text; }
-    void requestPicture(PictureRequest request) override { pictures.push_back(request); }
-    std::optional<PictureAnswer> takePicture() override { return std::nullopt; }
+    void requestWork(WorkRequest request) override { requests.push_back(std::move(request)); }
+    std::optional<WorkAnswer> takeAnswer() override { return std::nullopt; }
+    // The last one, which is for a view's picture.
+    const PictureJob& pictureJob() const { return std::get<PictureJob>(requests.back().job); }
     void startExport(ExportRequest request) override { exports.push_back(request); }
     void cancelExport() override {}
     double exportProgress() const override { return -1; }

@@ -8,7 +8,7 @@
 #include "plate/plate_picture.h"
 #include "render/bind.h"
 #include "ui/headless_gui.h"
-#include "ui/host/picture_worker.h"
+#include "ui/host/worker.h"
 #include "ui/session/open_file.h"
 
 namespace versorium {
@@ -73,11 +73,11 @@ TEST(Open, AMeshComesAsAGridFromTheHost) {
                     .ok());
     EXPECT_EQ(context.orbitProgram(), nullptr);
     EXPECT_EQ(context.program(0), nullptr);
-    ASSERT_EQ(host.pictures.size(), 1u) << "one request for all views";
-    EXPECT_EQ(host.pictures[0].view, kGridSlot);
-    PictureMaker maker;
+    ASSERT_EQ(host.requests.size(), 1u) << "one request for all views";
+    EXPECT_TRUE(std::holds_alternative<GridJob>(host.requests[0].job));
+    Worker worker;
     Job job(1);
-    PictureAnswer answer = computePicture(maker, host.pictures[0], job);
+    WorkAnswer answer = compute(worker, host.requests[0], job);
     EXPECT_EQ(answer.message, "");
     context.takeGrid(answer);
     const OrbitProgram* program = context.orbitProgram();
@@ -87,16 +87,17 @@ TEST(Open, AMeshComesAsAGridFromTheHost) {
     EXPECT_GT(program->field->at(3.0, 0.0, 0.0), 1);
     EXPECT_GT(context.orbit().size(), 1u);
     context.program(0);
-    EXPECT_EQ(host.pictures.size(), 1u);
+    EXPECT_EQ(host.requests.size(), 1u);
     // Another resolution is another grid; one that cannot be made is asked for once.
     for (Scene& scene : context.workspace.views) scene.shape.resolution = 20;
     context.touch();
     EXPECT_EQ(context.orbitProgram(), nullptr);
-    ASSERT_EQ(host.pictures.size(), 2u);
-    answer = {.view = kGridSlot, .id = host.pictures[1].id, .message = "no"};
+    ASSERT_EQ(host.requests.size(), 2u);
+    answer = answerTo(host.requests[1].id, GridJob{});
+    answer.message = "no";
     context.takeGrid(answer);
     EXPECT_EQ(context.orbitProgram(), nullptr);
-    EXPECT_EQ(host.pictures.size(), 2u);
+    EXPECT_EQ(host.requests.size(), 2u);
 }
 
 TEST(Open, APaletteBecomesTheMarkedViewsOwn) {

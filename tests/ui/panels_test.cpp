@@ -399,8 +399,8 @@ TEST(Gallery, OpensByKeysAndAsksForItsPicturesOneByOne) {
         gui.frame(dialog);
     };
     for (int k = 0; k < 3; ++k) gui.frame(dialog);
-    ASSERT_EQ(host.pictures.size(), 1u);
-    EXPECT_EQ(host.pictures[0].view, kThumbnails);
+    ASSERT_EQ(host.requests.size(), 1u);
+    EXPECT_TRUE(std::holds_alternative<ThumbnailJob>(host.requests[0].job));
     press(ImGuiKey_RightArrow);
     press(ImGuiKey_RightArrow);
     press(ImGuiKey_LeftArrow);

@@ -289,20 +289,21 @@ TEST(ContactSheet, AsksForItsPicturesOneByOneAndIsPickedByKeys) {
         }
     };
     for (int k = 0; k < 3; ++k) gui.frame(dialog);
-    ASSERT_EQ(host.pictures.size(), 1u);
-    EXPECT_EQ(host.pictures[0].view, kThumbnails);
-    const Expected<Json> asked = parseJson(host.pictures[0].scene);
+    ASSERT_EQ(host.requests.size(), 1u);
+    EXPECT_TRUE(std::holds_alternative<ThumbnailJob>(host.requests[0].job));
+    const Expected<Json> asked = parseJson(host.requests[0].scene);
     ASSERT_TRUE(asked.ok());
     const Expected<Scene> scene = sceneFromJson(*asked);
     ASSERT_TRUE(scene.ok()) << scene.status().message();
     EXPECT_EQ(scene->lists.at("roots"), context.sheet.candidates[0].roots);
     // An answer that is none of the sheet's goes to the gallery.
-    PictureAnswer answer{kThumbnails, 1, {1, 1}, {}, "no picture"};
+    WorkAnswer answer = answerTo(1, host.requests[0].job);
+    answer.message = "no picture";
     EXPECT_FALSE(takeCandidate(context, answer));
-    answer.id = host.pictures[0].id;
+    answer.id = host.requests[0].id;
     EXPECT_TRUE(takeCandidate(context, answer));
     for (int k = 0; k < 2; ++k) gui.frame(dialog);
-    EXPECT_EQ(host.pictures.size(), 2u);
+    EXPECT_EQ(host.requests.size(), 2u);
     press(ImGuiKey_RightArrow);
     press(ImGuiKey_DownArrow);
     EXPECT_EQ(context.sheet.at, 4);

@@ -87,7 +87,7 @@ export class Address {
 }
 
 // The object that the module is made with. `studio()` is the module once it is there.
-export function makeHost({ studio, wake, address, pictures, exports, makesFilms, giveUpFilm }) {
+export function makeHost({ studio, wake, address, tasks, exports, makesFilms, giveUpFilm }) {
   const canvas = byId("canvas");
   let due = Infinity, timer = 0;
   let flat = null, image = null;
@@ -103,8 +103,8 @@ export function makeHost({ studio, wake, address, pictures, exports, makesFilms,
     copy(text) {
       navigator.clipboard?.writeText(text).catch(() => announce(tr("The browser did not copy.")));
     },
-    request: (request) => pictures().request(request),
-    startExport: (document, name, copy) => exports().begin(document, name, copy),
+    work: (head, scene) => tasks().request({ ...JSON.parse(head), head, scene }),
+    startExport: (document, name, copy, assets) => exports().begin(document, name, copy, assets),
     cancelExport() {
       giveUpFilm();
       exports().cancel();

@@ -6,14 +6,14 @@ import { listen } from "./input.mjs";
 import { LessonPane } from "./lesson.mjs";
 import { compileProgram, instantiation } from "./load.mjs";
 import { filmOf, makesFilms } from "./film.mjs";
-import { Export, Pictures } from "./tasks.mjs";
+import { Export, Tasks } from "./tasks.mjs";
 import { firstLanguage, sayBy, speak, tr } from "./words.mjs";
 
 const byId = (id) => document.getElementById(id);
 const canvas = byId("canvas");
 const here = new URL("./", import.meta.url);
 
-let studio = null, pictures = null, exports = null, controls = null, lesson = null, pending = 0, later = 0, firstPicture = 0;
+let studio = null, tasks = null, exports = null, controls = null, lesson = null, pending = 0, later = 0, firstPicture = 0;
 
 // Calls a function of the program that takes texts and perhaps returns one.
 const call = (name, returns, ...texts) =>
@@ -60,17 +60,23 @@ function wakeAnew() {
 
 // What comes back from the workers
 
-function deliverPicture(request, { bytes, message = "", seconds = 0, members = 0 }) {
-  // A distance grid is as long as it is.
-  if (request.samples === 0 && bytes) [request.width, request.height] = [bytes.length / 4, 1];
-  const fits = bytes?.length === request.width * request.height * 4;
-  const begin = studio._page_picture_begin(
-    request.view, request.id, fits ? request.width : 0, fits ? request.height : 0, seconds, members);
-  if (fits) studio.HEAPU8.set(bytes, begin);
-  // Of an averaged map there may be no picture yet.
-  const lost = !fits && !(members > 0 && bytes?.length === 0);
-  call("page_picture_end", null, lost ? message || tr("the picture did not arrive") : message);
+function deliver(request, { bytes, head, message }) {
+  if (head) {
+    const begin = studio._page_answer_begin(bytes?.length ?? 0);
+    if (bytes) studio.HEAPU8.set(bytes, begin);
+    call("page_answer_end", null, head);
+  } else {
+    call("page_work_failed", null, request.head, message || tr("the picture did not arrive"));
+  }
   wake();
+}
+
+// A file that scenes name, copied from the program; null where it has none of this name.
+function assetOf(hash) {
+  const begin = call("page_asset", "number", hash);
+  if (begin === 0) return null;
+  const name = call("page_asset_name", "string", hash);
+  return { hash, name, bytes: studio.HEAPU8.slice(begin, begin + call("page_asset_size", "number", hash)) };
 }
 
 let film = null; // the one that is being recorded; another one once it is given up
@@ -203,10 +209,10 @@ async function begin() {
   byId("loaded").textContent = tr("Starting …");
   const address = new Address(openFragment);
   const start = { program, root: root.href, build: meta("versorium-build"), threads };
-  pictures = new Pictures(start, deliverPicture);
+  tasks = new Tasks(start, assetOf, deliver);
   let module = null;
   const page = makeHost({
-    studio: () => module, wake, address, pictures: () => pictures, exports: () => exports, makesFilms,
+    studio: () => module, wake, address, tasks: () => tasks, exports: () => exports, makesFilms,
     giveUpFilm: () => { film = null; },
   });
   module = await create({
@@ -214,7 +220,7 @@ async function begin() {
     locateFile: (name) => partOf(root, name).href,
     onAbort: (what) => showMessage(tr("The program stopped: {1}. Load the page again.", what)),
   });
-  exports = new Export(start, {
+  exports = new Export(start, assetOf, {
     onProgress: (progress) => { module._page_export_progress(progress); wake(); },
     onEnd: endExport,
   });

@@ -111,7 +111,7 @@ void keepLocks(StudioContext& context) {
         setControl(context, control.id, control.value);
         before = controlsOf(context);
     }
-    if (workspaceToJson(context.workspace) != workspaceToJson(wanted)) {
+    if (workspaceKey(context.workspace) != workspaceKey(wanted)) {
         ++context.revision;
         context.say("The link that opened this page has locked that");
     }

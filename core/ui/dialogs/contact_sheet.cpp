@@ -42,14 +42,9 @@ void askForNext(StudioContext& context) {
     scene.lists[drawnList(context.workspace)] = missing->roots;
     scene.iterations = std::min(scene.iterations, kMostSteps);
     // What the small picture shows is a rectangle of 4 to 3.
-    PictureRequest request;
-    request.view = kThumbnails;
-    request.id = ++sheet.id;
-    request.scene = sceneToJson(scene).dump();
-    request.size = {kPictureHeight * 4 / 3, kPictureHeight};
-    request.samples = 2;
+    const ThumbnailJob job{.size = {kPictureHeight * 4 / 3, kPictureHeight}};
     sheet.asked = static_cast<int>(missing - sheet.candidates.begin());
-    context.host.requestPicture(std::move(request));
+    context.host.requestWork(requestOf(++sheet.id, scene, job));
 }
 
 int moved(int chosen, int columns, int count) {
@@ -121,15 +116,16 @@ void openContactSheet(StudioContext& context, int seed) {
     context.host.wake();
 }
 
-bool takeCandidate(StudioContext& context, PictureAnswer& answer) {
+bool takeCandidate(StudioContext& context, WorkAnswer& answer) {
     ContactSheet& sheet = context.sheet;
     if (sheet.asked < 0 || answer.id != sheet.id) return false;
     ContactSheet::Candidate& one = sheet.candidates[static_cast<std::size_t>(sheet.asked)];
     sheet.asked = -1;
     one.message = std::move(answer.message);
     if (!one.message.empty()) return true;
-    one.rgba = std::move(answer.rgba);
-    one.size = answer.size;
+    ThumbnailResult& made = std::get<ThumbnailResult>(answer.result);
+    one.rgba = std::move(made.rgba);
+    one.size = made.size;
     return true;
 }
 

@@ -10,50 +10,17 @@
 #include <vector>
 
 #include "base/status.h"
-#include "image/raster.h"
+#include "ui/host/work.h"
 
 namespace versorium {
-
-// A place of its own among views, for the small pictures of the gallery. They are made when nothing
-// else is waiting.
-inline constexpr int kThumbnails = 5;
-// And one for the distance grids of shapes.
-inline constexpr int kGridSlot = 6;
-inline constexpr int kPictureSlots = 7;
-
-// A picture of a scene, asked for by a view. A new request for the same view cancels the old one.
-struct PictureRequest {
-    int view = 0;          // 0 … kMostViews - 1, kThumbnails or kGridSlot
-    std::uint64_t id = 0;  // comes back with the answer
-    std::string scene;     // JSON: the studio and what computes may stand in different processes
-    Size size{0, 0};       // in pixels
-    // Along each side of a pixel. 0: the distance grid of the scene's shape in place of a picture;
-    // its bytes come as pixels (io/grid_files.h, packGrid).
-    int samples = 1;
-    // Of an averaged map (render/cpu/averaged_maps.h): members are counted for about so many
-    // seconds, on from what was counted before; a picture of fewer than `least` of them is not
-    // wanted. 0: all members are counted, as for an export.
-    double portion = 0;
-    int least = 0;
-};
-
-struct PictureAnswer {
-    int view = 0;
-    std::uint64_t id = 0;
-    Size size{0, 0};
-    // sRGB, straight alpha, row 0 on top; empty where fewer than `least` members are counted.
-    std::vector<unsigned char> rgba = {};
-    std::string message = {};  // why there is no picture; empty where there is one
-    double seconds = 0;        // that it took
-    int members = 0;           // that an averaged map has counted; 0 for other pictures
-};
 
 // A file to be made, as the command line makes it: a PNG that carries its scene or its plate, or a
 // ZIP archive of the pictures of an animation.
 struct ExportRequest {
-    std::string document;      // JSON of a Document
+    std::string document;      // JSON of a Document without its assets
     std::string name;          // proposed file name
     bool toClipboard = false;  // as an image; where that cannot be, as a file
+    Assets assets = {};        // of the document
 };
 
 struct FolderEntry {
@@ -80,8 +47,8 @@ class Host {
     virtual void setClipboard(const std::string& text) = 0;
 
     // Computes beside the studio, never within its frame.
-    virtual void requestPicture(PictureRequest request) = 0;
-    virtual std::optional<PictureAnswer> takePicture() = 0;
+    virtual void requestWork(WorkRequest request) = 0;
+    virtual std::optional<WorkAnswer> takeAnswer() = 0;
     // Nobody waits for this view's picture any more.
     virtual void dropPicture(int /*view*/) {}
 

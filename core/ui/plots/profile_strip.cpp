@@ -39,7 +39,7 @@ class FrameJob : public Job {
 
 // The text of what the profile follows from.
 std::string keyOf(const Scene& scene) {
-    const Json json = sceneToJson(scene);
+    const Json json = sceneBody(scene);
     Json key;
     for (const char* part : {"map", "parameters", "shape", "modulation", "escape_radius"})
         if (json.contains(part)) key[part] = json[part];

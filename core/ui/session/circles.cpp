@@ -28,7 +28,7 @@ double normOf(const Point& x) {
 }
 
 std::string basinKey(const Scene& scene) {
-    const Json json = sceneToJson(scene);
+    const Json json = sceneBody(scene);
     std::string key;
     for (const char* part : {"map", "parameters", "shape", "modulation", "escape_radius"})
         key += json.value(part, Json()).dump();

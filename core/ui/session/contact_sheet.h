@@ -43,7 +43,7 @@ struct ContactSheet {
 // Candidates from this seed on; opens the sheet. Says why where there can be none.
 void openContactSheet(StudioContext& context, int seed);
 // True where the answer was the sheet's.
-bool takeCandidate(StudioContext& context, PictureAnswer& answer);
+bool takeCandidate(StudioContext& context, WorkAnswer& answer);
 // The candidate's roots become those of the map, and its seed the panel's.
 void pickCandidate(StudioContext& context, int candidate);
 void drawContactSheet(StudioContext& context);

@@ -424,7 +424,7 @@ void StudioContext::beginExport(const ExportOptions& options, bool toClipboard) 
         aspects.push_back(aspect(static_cast<int>(k)));
     ExportOptions spoken = options;
     spoken.language = languageNow().id;
-    const Expected<Document> document = exportDocument(workspace, aspects, spoken);
+    Expected<Document> document = exportDocument(workspace, aspects, spoken);
     if (!document) return report(document.status());
     copying = toClipboard;
     const bool film = options.film && host.makesFilms();
@@ -433,7 +433,10 @@ void StudioContext::beginExport(const ExportOptions& options, bool toClipboard) 
     const std::string name = what + (options.motion  ? film ? ".webm" : ".zip"
                                      : options.plate ? "-plate.png"
                                                      : ".png");
-    host.startExport({printJson(documentToJson(*document)), name, toClipboard});
+    // Whoever makes it has the assets, or gets them as they are.
+    Assets assets = std::move(document->assets);
+    document->assets.clear();
+    host.startExport({printJson(documentToJson(*document)), name, toClipboard, std::move(assets)});
     host.wake();
 }
 
@@ -467,12 +470,12 @@ void StudioContext::askForGrid(Scene scene) {
     if ((gridFor_ && same(gridFor_->shape)) || gridRefused_ == scene.shape.source) return;
     gridFor_ = std::move(scene);
     ++gridAsked_;
-    host.requestPicture({kGridSlot, gridAsked_, sceneToJson(*gridFor_).dump(), {1, 1}, 0});
+    host.requestWork(requestOf(gridAsked_, *gridFor_, GridJob{}));
 }
 
-void StudioContext::takeGrid(const PictureAnswer& answer) {
+void StudioContext::takeGrid(const WorkAnswer& answer) {
     if (answer.id != gridAsked_ || !gridFor_) return;
-    Expected<Grid> grid = unpackGrid(answer.rgba);
+    Expected<Grid> grid = unpackGrid(std::get<GridResult>(answer.result).bytes);
     if (grid) {
         binder_.keep(*gridFor_, std::make_shared<const Grid>(std::move(*grid)));
         gridRefused_.clear();

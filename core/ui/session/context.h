@@ -44,9 +44,9 @@ struct Visits {
 
 struct ViewState {
     LivePicture picture;
-    std::string text, orbits;  // LiveScene's, made anew when the revision is
+    std::string key, orbits;  // LiveScene's, made anew when the revision is
     std::uint64_t revision = 0;
-    double aspect = 0;  // that the text was made for
+    double aspect = 0;  // that the key was made for
     Visits visits;
     std::optional<Glide> glide;  // on its way; the workspace holds where it is now
     ImVec2 low{}, high{};        // its rectangle in the window
@@ -225,7 +225,7 @@ struct StudioContext {
     void startExport();
     void copyImage();
 
-    void takeGrid(const PictureAnswer& answer);
+    void takeGrid(const WorkAnswer& answer);
 
     // Width over height of a view in the window.
     double aspect(int view) const;

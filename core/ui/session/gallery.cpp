@@ -10,8 +10,6 @@
 namespace versorium {
 namespace {
 
-static_assert(kThumbnails == kMostViews && kPictureSlots == kGridSlot + 1);
-
 constexpr const char* kStored = "recent";
 constexpr const char* kDot = " · ";
 // A thumbnail is not worth more; its points differ from the scene's by the last few bands.
@@ -97,24 +95,20 @@ void Gallery::ask(Host& host) {
             }
             scene->iterations = std::min(scene->iterations, kMostSteps);
             asked_ = entry.key();
-            PictureRequest request;
-            request.view = kThumbnails;
-            request.id = ++id_;
-            request.scene = sceneToJson(*scene).dump();
-            request.size = {kWidth, kHeight};
-            request.samples = 2;
-            if (showsEnsemble(*scene)) request.portion = kPortion;
-            return host.requestPicture(std::move(request));
+            ThumbnailJob job{.size = {kWidth, kHeight}};
+            if (showsEnsemble(*scene)) job.portion = kPortion;
+            return host.requestWork(requestOf(++id_, *scene, job));
         }
 }
 
-void Gallery::take(PictureAnswer answer) {
+void Gallery::take(WorkAnswer answer) {
     if (answer.id != id_ || asked_.empty()) return;
     Picture& picture = pictures_[asked_];
     asked_.clear();
     if (!answer.message.empty()) return;
-    picture.rgba = std::move(answer.rgba);
-    picture.size = answer.size;
+    ThumbnailResult& made = std::get<ThumbnailResult>(answer.result);
+    picture.rgba = std::move(made.rgba);
+    picture.size = made.size;
 }
 
 ImTextureID Gallery::picture(const Entry& entry) {

@@ -39,7 +39,7 @@ class Gallery {
 
     // Asks for one picture that is missing among the entries.
     void ask(Host& host);
-    void take(PictureAnswer answer);
+    void take(WorkAnswer answer);
     // Null while there is none.
     ImTextureID picture(const Entry& entry);
     void contextLost();

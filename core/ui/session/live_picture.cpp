@@ -33,6 +33,13 @@ std::uint64_t nextId() {
     return ++last;
 }
 
+// Which fields are coloured follows from these, of all that colours say.
+std::array<int, 5> fieldsOf(const Colouring& colour) {
+    return {static_cast<int>(colour.rule), static_cast<int>(colour.field),
+            static_cast<int>(colour.interior), static_cast<int>(colour.outline),
+            static_cast<int>(colour.smoothing)};
+}
+
 void makeTexture(GLuint& name) {
     if (name == 0) glGenTextures(1, &name);
     glBindTexture(GL_TEXTURE_2D, name);
@@ -57,7 +64,7 @@ void LivePicture::want(Host& host, const GpuUse& gpu, int view, const LiveScene&
     now_ = host.now();
     if (scene.moves) movedAt_ = now_;
     held_ = false;
-    const bool same = scene.text == wanted_ && size == place_.size && gpu.device == wantedFrom_;
+    const bool same = scene.key == wanted_ && size == place_.size && gpu.device == wantedFrom_;
     if (same && (waiting() || stage_ == kFinished)) return;
     if (!same) {
         const bool sameOrbits = size == place_.size && scene.orbits == orbits_;
@@ -66,7 +73,7 @@ void LivePicture::want(Host& host, const GpuUse& gpu, int view, const LiveScene&
         orbits_ = scene.orbits;
         goal_ = showsEnsemble(scene.scene) ? scene.scene.ensemble.count : 0;
         portion_ = kFirstPortion;
-        wanted_ = scene.text;
+        wanted_ = scene.key;
         wantedFrom_ = gpu.device;
         place_ = scene.place;
         finest_ = scene.scene.samples;
@@ -75,8 +82,11 @@ void LivePicture::want(Host& host, const GpuUse& gpu, int view, const LiveScene&
         message_.clear();
         if (onlyColours && recolour(gpu, scene)) return;
         if (!sameOrbits || goal_ == 0) members_ = shownMembers_ = countedStage_ = 0;
-        // What the host has counted, it goes on from.
-        stage_ = countedStage_;
+        const std::array<int, 5> fields = fieldsOf(scene.scene.colour);
+        if (!sameOrbits || fields != fields_) keptStage_ = 0;
+        fields_ = fields;
+        // What the host has counted, or measured, it goes on from.
+        stage_ = std::max(countedStage_, keptStage_);
         gpuWorking_ = false;
     }
     ask(host, gpu, view, scene);
@@ -94,13 +104,13 @@ void LivePicture::ask(Host& host, const GpuUse& gpu, int view, const LiveScene& 
     if (byGpu_) return;
     const Size size = request(goal_ > 0 ? memberPace_ : hostPace_);
     asked_ = nextId();
-    PictureRequest wanted{view, asked_, wanted_, size, samples};
+    PictureJob wanted{.view = view, .size = size, .samples = samples};
     if (goal_ > 0) {
         wanted.portion = stage_ == 0 ? kCoarseSeconds : portion_;
         wanted.least = std::min(shownMembers_, goal_);
         portion_ = std::min(kLongestPortion, kPortionGrowth * portion_);
     }
-    host.requestPicture(std::move(wanted));
+    host.requestWork(requestOf(asked_, scene.scene, wanted));
 }
 
 bool LivePicture::askGpu(Host& host, const GpuUse& gpu, const LiveScene& scene, Size size,
@@ -162,7 +172,7 @@ void LivePicture::arrived() {
 }
 
 // A portion more of the members of an averaged map.
-void LivePicture::takeMembers(const PictureAnswer& answer, double points, double all) {
+void LivePicture::takeMembers(const PictureResult& answer, double points, double all) {
     members_ = answer.members;
     const bool shown = !answer.rgba.empty();
     if (stage_ == 0) {
@@ -177,21 +187,25 @@ void LivePicture::takeMembers(const PictureAnswer& answer, double points, double
     portion_ = kFirstPortion;
 }
 
-void LivePicture::take(PictureAnswer answer) {
-    if (answer.id != asked_) return;
+void LivePicture::take(WorkAnswer given) {
+    if (given.id != asked_) return;
     asked_ = 0;
-    if (!answer.message.empty()) {
-        message_ = std::move(answer.message);
+    if (!given.message.empty()) {
+        message_ = std::move(given.message);
         stage_ = kFinished;
         return;
     }
+    PictureResult& answer = std::get<PictureResult>(given.result);
     const double points = 1.0 * answer.size.width * answer.size.height;
     const double all = 1.0 * place_.size.width * place_.size.height;
     if (answer.members > 0) {
         takeMembers(answer, points, all);
         if (answer.rgba.empty()) return;
     } else {
-        if (stage_ == 0) hostPace_.learn(points, all, answer.seconds);
+        if (stage_ == 0 && !answer.recoloured) hostPace_.learn(points, all, answer.seconds);
+        // A coarse picture that was fine at once is the next stage's.
+        if (answer.kept)
+            keptStage_ = std::max(keptStage_, stage_ == 0 && askedDivisor_ == 1 ? 1 : stage_);
         arrived();
     }
     if (guarded() && !guard_.admit(lightsOf(answer.rgba, answer.size), now_)) return hold();

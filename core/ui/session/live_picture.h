@@ -6,6 +6,7 @@
 // jumps.
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -21,7 +22,7 @@ namespace versorium {
 // A view's scene in all the forms that drawing it takes.
 struct LiveScene {
     const Scene& scene;
-    const std::string& text;  // its JSON, for the host
+    const std::string& key;  // equal for equal pictures (scene/parts.h, sceneKey)
     // The same without what changes no orbit: colours, `iso` and the number of members.
     const std::string& orbits;
     const OrbitProgram* program;  // null while its shape has to be made into a grid first
@@ -39,7 +40,7 @@ class LivePicture {
   public:
     // What should be shown. Asks for what is missing of it.
     void want(Host& host, const GpuUse& gpu, int view, const LiveScene& scene);
-    void take(PictureAnswer answer);
+    void take(WorkAnswer answer);
     // Lets the graphics processor draw on for about this long.
     void work(Host& host, double seconds);
     // Draws what there is into the rectangle.
@@ -85,14 +86,14 @@ class LivePicture {
     bool askGpu(Host& host, const GpuUse& gpu, const LiveScene& scene, Size size, int samples);
     bool recolour(const GpuUse& gpu, const LiveScene& scene);
     void arrived();
-    void takeMembers(const PictureAnswer& answer, double points, double all);
+    void takeMembers(const PictureResult& answer, double points, double all);
     bool show();
     bool guarded() const;
     bool admits();
     void hold();
     void toTexture();
 
-    std::string wanted_;  // what is asked for
+    std::string wanted_;  // the key of what is asked for
     GpuDevice* wantedFrom_ = nullptr;
     Viewport place_;
     int finest_ = 2;
@@ -100,11 +101,13 @@ class LivePicture {
     int askedDivisor_ = 1;
     Pace hostPace_, gpuPace_, memberPace_;
     // Of averaged maps, whose pictures sharpen while the host counts on.
-    std::string orbits_;          // of the scene that is wanted
-    int goal_ = 0, members_ = 0;  // members in all, and counted at this stage
-    int shownMembers_ = 0;        // in the picture that is shown
-    int countedStage_ = 0;        // the finest one that was counted for
-    double portion_ = 0;          // seconds of the next one
+    std::string orbits_;           // of the scene that is wanted
+    int goal_ = 0, members_ = 0;   // members in all, and counted at this stage
+    int shownMembers_ = 0;         // in the picture that is shown
+    int countedStage_ = 0;         // the finest one that was counted for
+    int keptStage_ = 0;            // the finest one whose fields the host has kept,
+    std::array<int, 5> fields_{};  // namely these
+    double portion_ = 0;           // seconds of the next one
     std::string message_;
     int pictures_ = 0;
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/parts.h"
 #include "ui/marks/marks.h"
 #include "ui/marks/root_marks.h"
 #include "ui/marks/study_marks.h"
@@ -187,15 +188,15 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
     const Scene& scene = workspace.views[static_cast<std::size_t>(view)];
     const Scene drawn = pictureScene(scene, aspect);
     const ViewPlane plane = planeNow();
-    if (state.revision != context.revision || state.text.empty() || aspect != state.aspect) {
+    if (state.revision != context.revision || state.key.empty() || aspect != state.aspect) {
         state.revision = context.revision;
         state.aspect = aspect;
-        Json json = sceneToJson(drawn);
-        state.text = json.dump();
+        Json json = sceneKey(drawn);
+        state.key = json.dump();
         state.orbits = orbitsText(std::move(json));
     }
     state.picture.want(context.host, context.gpuUse(), view,
-                       {drawn, state.text, state.orbits, context.program(view), plane.place,
+                       {drawn, state.key, state.orbits, context.program(view), plane.place,
                         context.moves() || context.gliding()});
     const std::size_t shown = workspace.maximised ? 1 : workspace.views.size();
     const double budget =
