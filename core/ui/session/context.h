@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fields/evaluate.h"
@@ -178,6 +179,13 @@ struct StudioContext {
     // Takes the animation on by a part of a round.
     void advanceAnimation(double rounds);
 
+    // The one way to change the workspace: what the change does to it becomes a step of the
+    // history once the hand is off. Returns what the change returns.
+    template <class Change>
+    decltype(auto) edit(Change&& change) {
+        const Touch touch{*this};
+        return std::forward<Change>(change)(workspace);
+    }
     // The workspace has changed.
     void touch();
     // What was done is a step of the history now.
@@ -237,6 +245,10 @@ struct StudioContext {
     const std::vector<std::vector<double>>& orbit();
 
   private:
+    struct Touch {  // when the change is over
+        StudioContext& context;
+        ~Touch() { context.touch(); }
+    };
     void take(Workspace next);
     void beginExport(const ExportOptions& options, bool toClipboard);
     struct Bound {
