@@ -272,7 +272,7 @@ void Studio::State::drawNarrow(ImVec2 low, ImVec2 size) {
     };
     std::vector<Tab> looks, tools;
     for (std::size_t k = 0; k < workspace.views.size(); ++k) {
-        std::string label = showsParameters(workspace.views[k]) ? tr("Parameters") : tr("Points");
+        std::string label = tr(traitsOf(workspace.views[k]).tab);
         if (workspace.analysis()) label = k == 0 ? tr("Set") : std::to_string(k);
         looks.push_back({label + "##" + std::to_string(k), "view tab", [this, k] {
                              stripShown = false;

@@ -59,11 +59,11 @@ RAW.update({"ImGui::InputTextWithHint": [0, 1], "ImGui::BeginCombo": [0, 1], "Im
             "ImGui::DragInt": [0, 5], "dragNumber": [0], "TextColored": [1], "drawText": [3]})
 # What the interface shows of other rooms: file, and what stands before a text there.
 TABLES = [
-    ("core/maps/*.h", r"\.(?:title|help|source)\s*=\s*"),
+    ("core/maps/*.h", r"\.(?:title|help|source|label)\s*=\s*"),
     ("core/maps/formula_map.cpp", r"\.(?:title|help|source)\s*=\s*"),
     ("core/fields/field_names.cpp", r"\{FieldName::\w+,\s*wordOf\([^)]*\),\s*"),
     # The words of enumerations, but for those that only files have.
-    ("core/*/*.h", r"struct EnumWords<(?!ValueKind)[\w:]+> \{\s*static constexpr [^{]*\{"),
+    ("core/*/*.h", r"struct EnumWords<(?!(?:Value|View|Answer|Document)Kind)[\w:]+> \{\s*static constexpr [^{]*\{"),
     ("core/ui/*/*.h", r"struct EnumWords<[\w:]+> \{\s*static constexpr [^{]*\{"),
     ("core/dynamics/cycles.cpp", r"const char\* wordOf\(CycleKind kind\) \{"),
 ]

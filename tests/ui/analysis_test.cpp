@@ -27,7 +27,7 @@ TEST(Analysis, FourPlacesAreMovedOneByOne) {
     workspace.pins.push_back({{"c", {-1, 0.25}}});
     ASSERT_TRUE(setAnalysis(workspace));
     ASSERT_EQ(workspace.views.size(), 5u);
-    EXPECT_TRUE(showsParameters(workspace.views[0]));
+    EXPECT_EQ(viewKind(workspace.views[0]), ViewKind::parameters);
     EXPECT_EQ(c(workspace, 1), (std::vector<double>{-1, 0.25}));
     for (std::size_t k = 1; k < 5; ++k)
         for (std::size_t other = 1; other < k; ++other)

@@ -74,7 +74,7 @@ TEST(Drawing, AStrokeOnTheFirstScreenBecomesAJuliaSet) {
     ASSERT_EQ(context.workspace.views[0].map, "shape-modulus-complex-rational");
     EXPECT_EQ(context.drawing.tool, Drawing::Tool::none);
     const Scene& scene = context.workspace.view();
-    ASSERT_FALSE(showsParameters(scene));
+    ASSERT_EQ(viewKind(scene), ViewKind::startingPoints);
     // The shape lies where it was drawn: a circle of 120 pixels around the middle.
     const auto corners = parseOutline(scene.shape.source);
     ASSERT_TRUE(corners) << corners.status().message();

@@ -41,7 +41,7 @@ TEST(Export, APlateIsWhatTheCommandLineMakesOfIt) {
         ASSERT_TRUE(png.ok()) << png.status().message();
         const Expected<Document> carried = documentFromBytes(*png);
         ASSERT_TRUE(carried.ok());
-        EXPECT_EQ(carried->kind, "plate");
+        EXPECT_EQ(carried->kind, DocumentKind::plate);
         const Expected<PlateDocument> plate = plateFromDocument(*carried);
         ASSERT_TRUE(plate.ok()) << plate.status().message();
         EXPECT_EQ(plate->plate.panels.size(), all ? 2u : 1u);

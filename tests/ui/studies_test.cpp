@@ -41,7 +41,7 @@ struct StillStudio {
 };
 
 std::string axesOf(const Workspace& workspace) {
-    const int view = parameterViewOf(workspace);
+    const int view = viewOfKind(workspace, ViewKind::parameters);
     if (view < 0) return "none";
     const auto& axes = workspace.views[static_cast<std::size_t>(view)].slice.axes;
     return axes[0].terms[0].first + " " + axes[1].terms[0].first;
@@ -82,7 +82,7 @@ TEST(PlanarPanel, AnyPairOfCoefficientsGivesASet) {
     Workspace only = ofPreset("planar");
     only.focused = 1;
     setViewCount(only, 1);
-    ASSERT_FALSE(showsParameters(only.views[0]));
+    ASSERT_EQ(viewKind(only.views[0]), ViewKind::startingPoints);
     Binder binder;
     for (int a = 0; a < 30; ++a)
         for (int b = 0; b < a; ++b) {
@@ -263,7 +263,7 @@ TEST(CriticalStart, IsDraggedAndPutOntoTheCurve) {
     StudioContext& context = studio.context;
     HeadlessGui gui({600, 600});
     Workspace& workspace = context.workspace;
-    const int parameters = parameterViewOf(workspace);
+    const int parameters = viewOfKind(workspace, ViewKind::parameters);
     ASSERT_EQ(parameters, 0);
     workspace.views[0].criticalStart.reset();
     workspace.views[0].start = {0.5, 0.5};
@@ -323,7 +323,7 @@ TEST(CriticalStart, TheBadgeSaysWhatTheSetIs) {
         {"not-critical", CatalogueAnswer::notCritical}};
     for (const auto& [preset, answer] : cases) {
         StillStudio studio(preset);
-        const int view = parameterViewOf(studio.context.workspace);
+        const int view = viewOfKind(studio.context.workspace, ViewKind::parameters);
         ASSERT_GE(view, 0) << preset;
         const CatalogueBadge* badge = studyBadge(studio.context, view);
         ASSERT_NE(badge, nullptr) << preset;
@@ -377,7 +377,7 @@ TEST(Diagram, OfAPlateOpensWithItsStrip) {
     const Expected<Json> plate =
         parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     ASSERT_TRUE(plate);
-    const std::string text = printJson(documentToJson(Document{.kind = "plate", .body = *plate}));
+    const std::string text = printJson(documentToJson(Document{.kind = DocumentKind::plate, .body = *plate}));
     const Status status = openText(studio.context, text);
     ASSERT_TRUE(status.ok()) << status.message();
     EXPECT_EQ(studio.context.workspace.views[0].map, "logistic");

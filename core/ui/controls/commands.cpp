@@ -36,7 +36,7 @@ const std::vector<std::string>& setPresets() {
         std::vector<std::string> found;
         for (const std::string& name : presetNames()) {
             const Expected<Scene> scene = presetNamed(name);
-            if (scene && showsParameters(*scene) && scene->slice.axes.size() > 1)
+            if (scene && viewKind(*scene) == ViewKind::parameters && scene->slice.axes.size() > 1)
                 found.push_back(name);
         }
         return found;

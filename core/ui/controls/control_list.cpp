@@ -88,15 +88,6 @@ ControlKind kindOf(ValueKind kind) {
 
 // What a value is called within its own section.
 std::string nameOf(const ValueInfo& info) {
-    constexpr std::pair<const char*, const char*> kLetters[] = {
-        {"alpha", "α"},
-        {"beta", "β"},
-        {"tau", "τ"},
-        {kAsPrinted, trLater("φ + β (print)")},
-        {"log_scale", trLater("log scale")},
-        {"exponent_beta", trLater("exponent β")}};
-    for (const auto& [name, letter] : kLetters)
-        if (info.path == name) return tr(letter);
     return info.label.empty() || info.label == info.path ? info.path : tr(info.label);
 }
 

@@ -135,7 +135,7 @@ void collectSlice(StudioContext& context, ControlList& all) {
     for (std::size_t k = 0; k < axes; ++k)
         all.values({k == 0 ? "slice.center[0]" : "slice.center[1]"});
     all.values({"slice.height", "samples"});
-    if (hasCriticalPoints(map) && showsParameters(scene))
+    if (hasCriticalPoints(map) && traitsOf(scene).ownStart)
         all.toggle("critical", "start at the critical point", scene.criticalStart.has_value(),
                    [c](bool on) {
                        std::optional<int>& start = c->workspace.view().criticalStart;
@@ -284,7 +284,7 @@ std::string describeView(StudioContext& context, int view) {
     const Workspace& workspace = context.workspace;
     const auto index = static_cast<std::size_t>(view);
     const Scene& scene = workspace.views[index];
-    const bool parameters = showsParameters(scene);
+    const ViewTraits& traits = traitsOf(scene);
     const auto marker = markerOf(workspace, index);
     std::string middle, ring;
     for (std::size_t k = 0; k < std::min<std::size_t>(2, scene.slice.axes.size()); ++k) {
@@ -292,19 +292,14 @@ std::string describeView(StudioContext& context, int view) {
         middle += name + shownNumber(scene.slice.centre[k], 5);
         ring += name + shownNumber(marker[k], 5);
     }
-    if (!parameters) ring += fate(context);
-    std::string text =
-        tr(parameters
-               ? trLater("View {1}, parameters of {2}: height {3} around {4}. The ring is at {5}.")
-               : trLater("View {1}, starting points of {2}: height {3} around {4}. The ring is at "
-                         "{5}."),
-           {std::to_string(view + 1), tr(mapOf(scene).info.title),
-            shownNumber(scene.slice.height, 3), middle, ring});
+    if (traits.orbit) ring += fate(context);
+    std::string text = tr(traits.spoken, {std::to_string(view + 1), tr(mapOf(scene).info.title),
+                                          shownNumber(scene.slice.height, 3), middle, ring});
     const std::string average = describeEnsemble(context, view);
     if (!average.empty()) text += " " + average;
-    if (context.workspace.strip == Strip::profile && !parameters)
+    if (context.workspace.strip == Strip::profile && traits.circles)
         text += " " + describeProfile(context);
-    if (!parameters) text += describeCircles(context);
+    if (traits.circles) text += describeCircles(context);
     return text;
 }
 

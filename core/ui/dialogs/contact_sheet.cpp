@@ -18,10 +18,8 @@ constexpr int kMostSteps = 2000;     // of a small picture, as of the gallery's
 
 // The marked view, or one beside it that shows starting points.
 const Scene& viewOf(const Workspace& workspace) {
-    if (!showsParameters(workspace.view())) return workspace.view();
-    for (const Scene& scene : workspace.views)
-        if (!showsParameters(scene)) return scene;
-    return workspace.view();
+    const int points = viewOfKind(workspace, ViewKind::startingPoints);
+    return points < 0 ? workspace.view() : workspace.views[static_cast<std::size_t>(points)];
 }
 
 void forget(ContactSheet& sheet) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/shape_controls.h"
 #include "shape/modulation.h"
 #include "ui/backend/texture.h"
 #include "ui/session/drawing.h"
@@ -59,7 +60,7 @@ void fillOverlay(Drawing::Overlay& overlay, const Scene& scene, const OrbitProgr
 void drawOverlay(StudioContext& context, int view, const ViewPlane& plane, ImDrawList& list) {
     const Drawing::Tool shown = shownNumber(context);
     const Scene& scene = context.workspace.views[static_cast<std::size_t>(view)];
-    if (shown == Drawing::Tool::none || showsParameters(scene) || !mapOf(scene).info.field) return;
+    if (shown == Drawing::Tool::none || !traitsOf(scene).shape || !mapOf(scene).info.field) return;
     const OrbitProgram* program = context.program(view);
     if (!program || !program->field) return;
     const bool alpha = shown == Drawing::Tool::alpha;
@@ -69,7 +70,7 @@ void drawOverlay(StudioContext& context, int view, const ViewPlane& plane, ImDra
         overlay.tool = shown;
         fillOverlay(overlay, scene, *program,
                     alpha ? program->field->alpha() : program->field->beta(),
-                    scene.parameters.at(alpha ? "alpha" : "beta")[0], plane);
+                    alpha ? shapeControls(scene).alpha : shapeControls(scene).beta, plane);
     }
     list.AddImage(textureId(overlay.texture), plane.low, plane.high);
     const std::string name = alpha ? "α" : "β";
@@ -115,7 +116,7 @@ void drawDrawing(StudioContext& context, int view, const ViewPlane& plane, ImDra
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const bool over = mouse.x >= plane.low.x && mouse.x < plane.high.x && mouse.y >= plane.low.y &&
                       mouse.y < plane.high.y;
-    if (!over || showsParameters(context.workspace.views[static_cast<std::size_t>(view)])) return;
+    if (!over || !traitsOf(context.workspace.views[static_cast<std::size_t>(view)]).shape) return;
     const auto radius = static_cast<float>(drawing.radius * plane.unit());
     list.AddCircle(mouse, radius, kHalo, 0, 4 * context.scale);
     list.AddCircle(mouse, radius, kInk, 0, (drawing.erases ? 1.0f : 2.0f) * context.scale);

@@ -53,8 +53,8 @@ bool showsStart(const Workspace& workspace, int parameters) {
 std::optional<ImVec2> placeOfStart(StudioContext& context, int view, const ViewPlane& plane) {
     const Workspace& workspace = context.workspace;
     const Scene& scene = workspace.views[static_cast<std::size_t>(view)];
-    const int parameters = parameterViewOf(workspace);
-    if (!isDynamicalPlane(scene) || showsParameters(scene) || !showsStart(workspace, parameters))
+    const int parameters = viewOfKind(workspace, ViewKind::parameters);
+    if (!isDynamicalPlane(scene) || !traitsOf(scene).starts || !showsStart(workspace, parameters))
         return std::nullopt;
     const auto start = startOf(context, parameters);
     if (!start || start->size() < 2) return std::nullopt;
@@ -163,7 +163,7 @@ bool takeStudyMark(StudioContext& context, int view, const ViewPlane& plane, ImV
     const Scene& scene = workspace.views[static_cast<std::size_t>(view)];
     if (!isDynamicalPlane(scene)) return false;
     const float reach = kReach * context.scale;
-    const int parameters = parameterViewOf(workspace);
+    const int parameters = viewOfKind(workspace, ViewKind::parameters);
     if (alt && workspace.study.criticalCurve && mapOf(scene).dimension == 2 && parameters >= 0) {
         startAtNearest(context, parameters, {plane.u(mouse.x), plane.v(mouse.y)});
         state.drag = ViewState::Drag::none;
@@ -192,7 +192,7 @@ void dragStudyMark(StudioContext& context, int view, const ViewPlane& plane, ImV
     const ViewState& state = context.views[static_cast<std::size_t>(view)];
     const double u = plane.u(mouse.x), v = plane.v(mouse.y);
     if (state.drag == ViewState::Drag::start) {
-        const int parameters = parameterViewOf(workspace);
+        const int parameters = viewOfKind(workspace, ViewKind::parameters);
         if (parameters < 0) return;
         std::vector<double> start = workspace.views[static_cast<std::size_t>(parameters)].start;
         start.resize(std::max<std::size_t>(2, start.size()));

@@ -52,7 +52,7 @@ void parameters(StudioContext& context) {
     for (const ParameterInfo& parameter : info.parameters) {
         const int width = widthOf(parameter.kind);
         const std::string name(parameter.name);
-        std::vector<double> value = name == kAsPrinted
+        std::vector<double> value = parameter.ofView
                                         ? workspace.view().parameters[name]
                                         : workspace.views[workspace.speaker()].parameters[name];
         bool changed = false;
@@ -175,7 +175,7 @@ void drawInspector(StudioContext& context) {
     if (rowButton("Lessons", "lessons")) context.lessons.open = !context.lessons.open;
 
     heading("Parameters");
-    if (workspace.views[0].map != "planar") parameters(context);
+    if (!mapOf(workspace.views[0]).info.planarCoefficients) parameters(context);
     drawPlanarPanel(context);
     drawShapePanel(context);
     drawSpaceView(context);
@@ -188,7 +188,7 @@ void drawInspector(StudioContext& context) {
     if (takesCircles(workspace) && section("Basins and circles", circled))
         drawCircleControls(context);
 
-    if (showsParameters(workspace.view())) {
+    if (traitsOf(workspace.view()).ownStart) {
         heading("Start of the orbits in the marked view");
         drawStartControls(context);
     }

@@ -22,7 +22,8 @@ const std::vector<std::string>& planarPresets() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> found;
         for (const std::string& name : presetNames())
-            if (const Expected<Scene> scene = presetNamed(name); scene && scene->map == "planar")
+            if (const Expected<Scene> scene = presetNamed(name);
+                scene && mapOf(*scene).info.planarCoefficients)
                 found.push_back(name);
         return found;
     }();
@@ -119,7 +120,7 @@ void drawPresets(StudioContext& context) {
 
 void drawPlanarPanel(StudioContext& context) {
     Workspace& workspace = context.workspace;
-    if (workspace.views[0].map != "planar") {
+    if (!mapOf(workspace.views[0]).info.planarCoefficients) {
         const auto polynomial = polynomialOf(context);
         if (!polynomial) return;
         if (ImGui::Button(tr("as planar system"))) showAsPlanarSystem(context);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "scene/shape_controls.h"
 #include "scene/shape_name.h"
 #include "ui/panels/value_widgets.h"
 #include "ui/session/context.h"
@@ -79,9 +80,9 @@ void shapeControls(StudioContext& context) {
     }
     const double zero[3] = {};
     double phi = program->field->at(zero[0], zero[1], zero[2]);
-    if (!showsParameters(scene)) {
-        const std::vector<double>& shift = scene.parameters.at("shift");
-        phi = program->field->at(-shift[0], -shift[1], shift.size() > 2 ? -shift[2] : 0.0);
+    if (traitsOf(scene).shape) {
+        const std::array<double, 3> shift = shapeControls(scene).seenShift();
+        phi = program->field->at(-shift[0], -shift[1], -shift[2]);
     }
     if (phi > 0) {
         ImGui::PushTextWrapPos();

@@ -176,7 +176,7 @@ void drawCycleList(StudioContext& context) {
 void drawStartControls(StudioContext& context) {
     Workspace& workspace = context.workspace;
     Scene& scene = workspace.view();
-    if (!showsParameters(scene)) return;
+    if (!traitsOf(scene).ownStart) return;
     const MapKernels& map = mapOf(scene);
     if (hasCriticalPoints(map)) {
         bool critical = scene.criticalStart.has_value();

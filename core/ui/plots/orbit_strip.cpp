@@ -222,8 +222,8 @@ void drawWeb(StudioContext& context, const OrbitProgram& program, double second,
     // As much of the line as the orbit visits, but no more than where the map is at home.
     const MapInfo& info = program.map->info;
     const double home = info.homeCentre[0], half = 0.75 * info.homeHeight;
-    double left = home, right = home;
-    if (info.name == "logistic") left = 0, right = 1;
+    const bool interval = info.interval[0] < info.interval[1];
+    double left = interval ? info.interval[0] : home, right = interval ? info.interval[1] : home;
     for (double x : orbit) {
         left = std::min(left, std::clamp(x, home - half, home + half));
         right = std::max(right, std::clamp(x, home - half, home + half));

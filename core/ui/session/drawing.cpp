@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "scene/shape_controls.h"
 #include "shape/outline.h"
 #include "ui/session/shape_change.h"
 #include "ui/session/view_plane.h"
@@ -151,8 +152,8 @@ void chooseTool(StudioContext& context, Drawing::Tool tool) {
     // On a phone one view is shown: the one that is drawn in.
     Workspace& workspace = context.workspace;
     for (int k = static_cast<int>(workspace.views.size()) - 1;
-         k >= 0 && showsParameters(workspace.view()); --k)
-        if (!showsParameters(workspace.views[static_cast<std::size_t>(k)])) context.mark(k);
+         k >= 0 && !traitsOf(workspace.view()).shape; --k)
+        if (traitsOf(workspace.views[static_cast<std::size_t>(k)]).shape) context.mark(k);
     context.host.announce(drawingHint(context));
     context.host.wake();
 }
@@ -174,7 +175,7 @@ bool handleDrawing(StudioContext& context, int view, const ViewPlane& plane, boo
         drawOutline(context, view, plane, hovered, active);
         return true;
     }
-    if (showsParameters(scene)) return false;
+    if (!traitsOf(scene).shape) return false;
     paint(context, view, plane, hovered, active);
     return true;
 }
@@ -232,9 +233,9 @@ void finishOutline(StudioContext& context) {
     // The shape is looked up at x - shift.
     const Scene& scene = context.workspace.view();
     const MapInfo& info = mapOf(scene).info;
-    if (info.field && info.algebra == Algebra::complex && !showsParameters(scene))
+    if (info.field && info.algebra == Algebra::complex && traitsOf(scene).shape)
         for (glm::dvec2& corner : corners) {
-            const std::vector<double>& shift = scene.parameters.at("shift");
+            const std::array<double, 4> shift = shapeControls(scene).shift;
             corner -= glm::dvec2(shift[0], shift[1]);
         }
     Job job(1);
@@ -245,7 +246,7 @@ void finishOutline(StudioContext& context) {
         return context.report(status);
     drawing.tool = Drawing::Tool::none;
     for (std::size_t k = 0; k < context.workspace.views.size(); ++k)
-        if (!showsParameters(context.workspace.views[k])) context.mark(static_cast<int>(k));
+        if (traitsOf(context.workspace.views[k]).shape) context.mark(static_cast<int>(k));
     context.say("The Julia set of your shape. Turn α for detail, β to grow it");
 }
 

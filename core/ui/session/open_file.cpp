@@ -44,8 +44,8 @@ Status takeMotion(StudioContext& context, const std::string& name, const Documen
 }
 
 Status openDocument(StudioContext& context, const std::string& name, const Document& document) {
-    if (document.kind == "animation") return takeMotion(context, name, document);
-    if (document.kind == "plate") {
+    if (document.kind == DocumentKind::animation) return takeMotion(context, name, document);
+    if (document.kind == DocumentKind::plate) {
         const Expected<PlateDocument> plate = plateFromDocument(document);
         return plate ? openPlate(context, name, *plate) : plate.status();
     }
@@ -85,7 +85,7 @@ Status takeRoots(StudioContext& context, const std::string& name, const RootList
 // Views of starting points look at where the mesh is.
 void frame(Scene& scene, const Mesh& mesh) {
     SliceSpec& slice = scene.slice;
-    if (showsParameters(scene) || mesh.vertices.empty()) return;
+    if (!traitsOf(scene).shape || mesh.vertices.empty()) return;
     double most = 0;
     std::vector<double> centre(slice.axes.size(), 0.0);
     for (std::size_t k = 0; k < slice.axes.size(); ++k) {

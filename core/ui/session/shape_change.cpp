@@ -6,6 +6,7 @@
 
 #include "geometry/random_roots.h"
 #include "render/shape_profile.h"
+#include "scene/shape_controls.h"
 #include "scene/shape_name.h"
 #include "shape/bounds.h"
 #include "shape/outline.h"
@@ -50,7 +51,7 @@ RootList rootsWithin(const ShapeBounds& bounds) {
 
 void frame(Scene& scene, const ShapeBounds& bounds) {
     constexpr double kMargin = 1.5;
-    if (showsParameters(scene) || scene.slice.centre.size() < 2) return;
+    if (!traitsOf(scene).shape || scene.slice.centre.size() < 2) return;
     double size = 0;
     for (std::size_t k = 0; k < 2; ++k) {
         scene.slice.centre[k] = 0.5 * (bounds.low[k] + bounds.high[k]);
@@ -121,14 +122,12 @@ const std::vector<ShapeChoice>& shapeChoices() {
 std::array<double, 3> shapePlace(const Scene& scene, const OrbitProgram& program, double u,
                                  double v) {
     const double coordinates[3] = {u, v, 0};
-    const std::vector<double>& shift = scene.parameters.at("shift");
-    const auto drop = scene.parameters.find("drop");
-    const double dropped = drop == scene.parameters.end() ? 3 : drop->second[0];
+    const ShapeControls controls = shapeControls(scene);
+    const auto dimension = static_cast<std::size_t>(program.map->dimension);
     std::array<double, 3> place{};
-    std::size_t next = 0;
-    for (std::size_t k = 0; k < shift.size() && next < 3; ++k)
-        if (static_cast<double>(k) != dropped)
-            place[next++] = program.slice.at(k, coordinates) - shift[k];
+    for (std::size_t k = 0; k < place.size(); ++k)
+        if (const auto seen = static_cast<std::size_t>(controls.seen[k]); seen < dimension)
+            place[k] = program.slice.at(seen, coordinates) - controls.shift[seen];
     return place;
 }
 
@@ -136,10 +135,9 @@ namespace {
 
 // A view of starting points of what is shown.
 Scene pointsOf(const Workspace& workspace) {
-    if (!showsParameters(workspace.view())) return workspace.view();
-    const auto points =
-        std::find_if_not(workspace.views.begin(), workspace.views.end(), showsParameters);
-    return points != workspace.views.end() ? *points : dynamicalView(workspace.view());
+    const int points = viewOfKind(workspace, ViewKind::startingPoints);
+    return points < 0 ? homeView(ViewKind::startingPoints, workspace.view())
+                      : workspace.views[static_cast<std::size_t>(points)];
 }
 
 }  // namespace
@@ -183,7 +181,7 @@ void showAsPrinted(StudioContext& context) {
         workspace.views[static_cast<std::size_t>(k)] = scene;
     }
     context.touch();
-    if (scene.parameters.at("beta")[0] == 0)
+    if (shapeControls(scene).beta == 0)
         context.say("With β = 0 both are the same: move β");
     else
         context.say("Left φ − β, as it must be; right φ + β, as S eq 2 prints it");

@@ -217,7 +217,7 @@ std::optional<std::vector<double>> startOf(StudioContext& context, int view) {
     if (view < 0) return std::nullopt;
     const Scene& scene = context.workspace.views[static_cast<std::size_t>(view)];
     const MapKernels& map = mapOf(scene);
-    if (!showsParameters(scene)) return std::nullopt;
+    if (!traitsOf(scene).ownStart) return std::nullopt;
     for (const SliceAxis& axis : scene.slice.axes)
         for (const auto& [name, weight] : axis.terms)
             if (const auto number = numberNamed(scene, name);
@@ -272,7 +272,7 @@ void nextAxis(StudioContext& context, const std::string& name) {
 }
 
 const char* axisSign(const Workspace& workspace, const std::string& name) {
-    const int view = parameterViewOf(workspace);
+    const int view = viewOfKind(workspace, ViewKind::parameters);
     if (view < 0) return "";
     const auto& axes = workspace.views[static_cast<std::size_t>(view)].slice.axes;
     for (std::size_t k = 0; k < std::min<std::size_t>(2, axes.size()); ++k)

@@ -28,7 +28,8 @@ Status setInAll(Workspace& workspace, const SceneProperty& property, const Json&
 const std::map<std::string, std::string, std::less<>>& oldNames() {
     static const std::map<std::string, std::string, std::less<>> names = [] {
         std::map<std::string, std::string, std::less<>> all;
-        const Workspace workspace = workspaceOf(sceneOf(*findMap("shape-modulus")));
+        const Workspace workspace = workspaceOf(sceneOf(
+            *findMapWhere([](const MapInfo& info) { return info.field && !info.lists.empty(); })));
         for (const SceneProperty& property : propertiesOf(workspace.views[0]))
             if (!property.alias.empty()) all.emplace(property.alias, property.path);
         for (const WorkspaceProperty& property : propertiesOf(workspace))

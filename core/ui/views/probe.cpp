@@ -4,6 +4,7 @@
 
 #include "fields/dynamics.h"
 #include "math/elementary.h"
+#include "scene/shape_controls.h"
 #include "shape/modulation.h"
 #include "ui/marks/marks.h"
 #include "ui/session/shape_change.h"
@@ -35,15 +36,14 @@ std::string complexText(std::complex<double> value) {
 // What a shape modulus looks up there: φ, α and β where they differ over space, and r̂.
 void probeShape(const Scene& scene, const OrbitProgram& program, Probe& found) {
     const std::array<double, 3> at = shapePlace(scene, program, found.u, found.v);
-    const auto number = [&](const char* name, const Modulation* modulation) {
-        const double base = scene.parameters.at(name)[0];
+    const ShapeControls controls = shapeControls(scene);
+    const auto number = [&](double base, const Modulation* modulation) {
         return modulation ? modulation->at(at[0], at[1], at[2], base) : base;
     };
     const double phi = program.field->at(at[0], at[1], at[2]);
-    const double alpha = number("alpha", program.field->alpha());
-    const double beta = number("beta", program.field->beta());
-    const bool asPrinted = scene.parameters.at(kAsPrinted)[0] != 0;
-    const double exponent = alpha * (phi - (asPrinted ? -beta : beta));
+    const double alpha = number(controls.alpha, program.field->alpha());
+    const double beta = number(controls.beta, program.field->beta());
+    const double exponent = alpha * (phi - (controls.asPrinted ? -beta : beta));
     found.rows.emplace_back(tr("distance φ"), shownNumber(phi, 4));
     if (program.field->alpha()) found.rows.emplace_back(tr("α here"), shownNumber(alpha, 4));
     if (program.field->beta()) found.rows.emplace_back(tr("β here"), shownNumber(beta, 4));
@@ -105,7 +105,7 @@ void probe(StudioContext& context, int view, const ViewPlane& plane, ImVec2 mous
     }
     for (std::size_t k = 0; k < std::size(kRows); ++k)
         found.rows.emplace_back(tr(kRows[k]), values[k]);
-    if (bound && bound->field && !showsParameters(scene)) probeShape(scene, *bound, found);
+    if (bound && bound->field && traitsOf(scene).shape) probeShape(scene, *bound, found);
 }
 
 void drawProbe(StudioContext& context) {

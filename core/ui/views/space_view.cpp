@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "scene/shape_controls.h"
 #include "shape/bounds.h"
 #include "ui/backend/texture.h"
 #include "ui/session/context.h"
@@ -30,13 +31,8 @@ void putColour(unsigned char* pixel, float light, unsigned char alpha) {
 }
 
 void begin(SpaceView& view, const OrbitProgram& program, const Scene& scene, Size size) {
-    const std::vector<double>& shift = scene.parameters.at("shift");
-    const auto drop = scene.parameters.find("drop");
-    const double dropped = drop == scene.parameters.end() ? 3 : drop->second[0];
-    glm::dvec3 by(0);
-    int next = 0;
-    for (std::size_t k = 0; k < shift.size() && next < 3; ++k)
-        if (static_cast<double>(k) != dropped) by[next++] = shift[k];
+    const std::array<double, 3> shift = shapeControls(scene).seenShift();
+    const glm::dvec3 by(shift[0], shift[1], shift[2]);
     // Every binding has a field of its own, of the same shape.
     const ShapeSpec& shape = scene.shape;
     const std::string of = shape.source + "/" + std::to_string(shape.resolution) + "/" +
@@ -210,7 +206,7 @@ double planeOffset(const PlaneInSpace& plane) { return glm::dot(plane.origin, pl
 
 std::optional<PlaneInSpace> markedPlane(StudioContext& context) {
     const Scene& scene = context.workspace.view();
-    if (!mapOf(scene).info.field || showsParameters(scene)) return std::nullopt;
+    if (!mapOf(scene).info.field || !traitsOf(scene).shape) return std::nullopt;
     const OrbitProgram* program = context.program(context.workspace.focused);
     if (!program || !program->field) return std::nullopt;
     return planeInSpace(scene, *program);

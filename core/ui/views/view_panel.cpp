@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "scene/parts.h"
+#include "scene/shape_controls.h"
 #include "ui/marks/marks.h"
 #include "ui/marks/root_marks.h"
 #include "ui/marks/study_marks.h"
@@ -209,12 +210,12 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
     list.AddRectFilled(low, high, IM_COL32(10, 11, 15, 255));
     state.picture.draw(list, low, high);
     list.PushClipRect(low, high, true);
-    if (!showsParameters(scene)) {
-        drawCircles(context, view, plane, list);
-        if (workspace.arrows) drawArrows(context, view, plane, list);
-        if (!workspace.analysis() || view == static_cast<int>(workspace.speaker()))
-            drawOrbit(context, view, plane, list);
-    } else {
+    const ViewTraits& traits = traitsOf(scene);
+    if (traits.circles) drawCircles(context, view, plane, list);
+    if (traits.arrows && workspace.arrows) drawArrows(context, view, plane, list);
+    if (traits.orbit && (!workspace.analysis() || view == static_cast<int>(workspace.speaker())))
+        drawOrbit(context, view, plane, list);
+    if (traits.pins) {
         for (std::size_t k = 0; k < workspace.pins.size(); ++k) {
             Scene pinned = scene;
             pinned.parameters = workspace.pins[k];
@@ -234,10 +235,9 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
                  IM_COL32(255, 255, 255, 255));
     if (state.drag == ViewState::Drag::box)
         list.AddRect(state.dragFrom, ImGui::GetIO().MousePos, theme.accent, 0, 0, 2);
-    std::string title = showsParameters(scene) ? tr("Parameters") : tr("Starting points");
+    std::string title = tr(traits.title);
     if (workspace.analysis() && view > 0) title += " " + std::to_string(view);
-    if (const auto own = scene.parameters.find(kAsPrinted);
-        own != scene.parameters.end() && own->second[0] != 0)
+    if (mapOf(scene).info.field && shapeControls(scene).asPrinted)
         title += tr(", φ + β as printed");
     const std::string measure = "  ·  " + tr("height {1}", {shownNumber(plane.place.height, 3)});
     if (ImGui::CalcTextSize((title + measure).c_str()).x < high.x - low.x - 48 * context.scale)
