@@ -377,7 +377,8 @@ TEST(Diagram, OfAPlateOpensWithItsStrip) {
     const Expected<Json> plate =
         parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     ASSERT_TRUE(plate);
-    const std::string text = printJson(documentToJson(Document{.kind = DocumentKind::plate, .body = *plate}));
+    const std::string text =
+        printJson(documentToJson(Document{.kind = DocumentKind::plate, .body = *plate}));
     const Status status = openText(studio.context, text);
     ASSERT_TRUE(status.ok()) << status.message();
     EXPECT_EQ(studio.context.workspace.views[0].map, "logistic");

@@ -235,14 +235,15 @@ void showAsComplexMap(StudioContext& context) {
     if (!home) return context.say("This polynomial is too long for a formula");
     const std::string constant = home->second;
     const MapInfo& planar = mapOf(workspace.views[0]).info;
-    const auto [re, im] = constantTerms(planar);
+    const auto terms = constantTerms(planar);
     const MapInfo& complex = mapOf(home->first).info;
     const Names names{{stateComponent(planar, 0), stateComponent(complex, 0)},
                       {stateComponent(planar, 1), stateComponent(complex, 1)},
-                      {re, constant + ".re"},
-                      {im, constant + ".im"}};
+                      {terms.first, constant + ".re"},
+                      {terms.second, constant + ".im"}};
     change(context, home->first, names, [&](const Scene& from, Scene& to) {
-        to.parameters[constant] = {from.parameters.at(re)[0], from.parameters.at(im)[0]};
+        to.parameters[constant] = {from.parameters.at(terms.first)[0],
+                                   from.parameters.at(terms.second)[0]};
     });
     context.say("The same pictures by a complex map");
 }
