@@ -9,6 +9,7 @@
 #include "ui/controls/controls.h"
 #include "ui/session/context.h"
 #include "ui/session/open_file.h"
+#include "ui/views/view.h"
 #include "ui/widgets/help.h"
 
 namespace versorium {
@@ -370,6 +371,7 @@ bool Studio::wantsPrepare() const { return state_->context.fontsChanged; }
 void Studio::frame() {
     State& state = *state_;
     StudioContext& context = state.context;
+    context.buttonDown = ImGui::IsAnyMouseDown();
     state.takeAnswers();
     handleKeys(context);
     context.glide();

@@ -9,7 +9,7 @@
 #include "fields/ensemble.h"
 #include "ui/controls/controls.h"
 #include "ui/headless_gui.h"
-#include "ui/marks/root_marks.h"
+#include "ui/session/root_edit.h"
 #include "ui/session/state_plane.h"
 
 namespace versorium {

@@ -8,11 +8,11 @@
 #include "render/movie.h"
 #include "ui/controls/access.h"
 #include "ui/controls/commands.h"
-#include "ui/marks/root_marks.h"
 #include "ui/session/context.h"
 #include "ui/session/ensemble_change.h"
 #include "ui/session/open_file.h"
 #include "ui/session/planar_change.h"
+#include "ui/session/root_edit.h"
 #include "ui/session/shape_change.h"
 #include "ui/widgets/help.h"
 #include "ui/widgets/keys.h"
@@ -423,7 +423,11 @@ void handleKeys(StudioContext& context) {
     for (const Command& command : pressed)
         if (command.chord.command && (!command.when || command.when())) return command.run();
     if (redone) return void(runCommand(context, "redo"));
-    if (context.dialogOpen() || drawingKeys(context)) return;
+    const DrawingKeys drawing{.enter = ImGui::IsKeyPressed(ImGuiKey_Enter, false) ||
+                                       ImGui::IsKeyPressed(ImGuiKey_KeypadEnter, false),
+                              .back = ImGui::IsKeyPressed(ImGuiKey_Backspace),
+                              .escape = ImGui::IsKeyPressed(ImGuiKey_Escape, false)};
+    if (context.dialogOpen() || drawingKeys(context, drawing)) return;
     for (const Command& command : pressed)
         if (!command.chord.command && (!command.when || command.when())) command.run();
     nudge(context);

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "ui/controls/control_list.h"
-#include "ui/marks/root_marks.h"
 #include "ui/panels/roots_panel.h"
+#include "ui/session/root_edit.h"
 
 namespace versorium {
 namespace {

@@ -7,6 +7,7 @@
 #include "ui/panels/value_widgets.h"
 #include "ui/session/context.h"
 #include "ui/session/ensemble_change.h"
+#include "ui/views/view.h"
 #include "ui/widgets/help.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/panel_parts.h"

@@ -4,6 +4,7 @@
 #include "ui/controls/controls.h"
 #include "ui/panels/value_widgets.h"
 #include "ui/session/context.h"
+#include "ui/views/view.h"
 #include "ui/widgets/help.h"
 #include "ui/widgets/panel_parts.h"
 

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "render/bind.h"
-#include "ui/marks/root_marks.h"
 #include "ui/panels/roots_panel.h"
 #include "ui/session/context.h"
+#include "ui/session/root_edit.h"
 #include "ui/widgets/help.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/panel_parts.h"

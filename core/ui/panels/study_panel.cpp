@@ -6,7 +6,7 @@
 
 #include "maps/critical.h"
 #include "render/system_of.h"
-#include "ui/marks/study_marks.h"
+#include "ui/marks/shapes.h"
 #include "ui/panels/value_widgets.h"
 #include "ui/session/context.h"
 #include "ui/widgets/help.h"

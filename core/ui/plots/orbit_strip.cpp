@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/marks/marks.h"
+#include "ui/marks/shapes.h"
 #include "ui/plots/web_diagram.h"
 #include "ui/session/context.h"
 #include "ui/widgets/help.h"

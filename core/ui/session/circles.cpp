@@ -168,7 +168,7 @@ std::string describeCircles(StudioContext& context) {
 }
 
 void dropCircle(StudioContext& context) {
-    Workspace& workspace = context.workspace;
+    const Workspace& workspace = context.workspace;
     if (!takesCircles(workspace)) return context.say("Circles are for complex and quaternion maps");
     if (workspace.circles.size() >= kMostCircles)
         return context.say(tr("There are {1} circles already: take one away first",
@@ -187,18 +187,16 @@ void dropCircle(StudioContext& context) {
     Workspace::Circle circle;
     circle.radius = normOf(through);
     if (!(circle.radius > 1e-3 * height)) circle.radius = 0.3 * height;
-    workspace.circles.push_back(circle);
+    context.edit([&](Workspace& changed) { changed.circles.push_back(circle); });
     context.circles.chosen = static_cast<int>(workspace.circles.size()) - 1;
-    context.touch();
 }
 
 void removeCircle(StudioContext& context, int circle) {
-    auto& circles = context.workspace.circles;
-    if (circle < 0 || circle >= static_cast<int>(circles.size()))
+    if (circle < 0 || circle >= static_cast<int>(context.workspace.circles.size()))
         return context.say("Choose a circle first: click its line");
-    circles.erase(circles.begin() + circle);
+    context.edit(
+        [&](Workspace& workspace) { workspace.circles.erase(workspace.circles.begin() + circle); });
     context.circles.chosen = -1;
-    context.touch();
 }
 
 }  // namespace versorium

@@ -305,7 +305,7 @@ bool StudioContext::gliding() const {
                        [](const ViewState& view) { return view.glide.has_value(); });
 }
 
-bool StudioContext::pinch(ImVec2 from, ImVec2 to, double factor) {
+bool StudioContext::pinch(ScreenPoint from, ScreenPoint to, double factor) {
     if (!(factor > 0) || !std::isfinite(factor) || dialogOpen()) return false;
     for (std::size_t k = 0; k < workspace.views.size(); ++k) {
         ViewState& state = views[k];
@@ -316,7 +316,7 @@ bool StudioContext::pinch(ImVec2 from, ImVec2 to, double factor) {
         // One place to come back to for all that two fingers do without a pause.
         if (host.now() - state.pinchedAt > kPinchPause) visit(static_cast<int>(k));
         state.pinchedAt = host.now();
-        state.drag = ViewState::Drag::pinch;
+        state.drag = {.fingers = true};
         mark(static_cast<int>(k));
         Scene& scene = workspace.views[k];
         const Size size{static_cast<int>(state.high.x - state.low.x),

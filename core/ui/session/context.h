@@ -29,6 +29,7 @@
 #include "ui/session/space_view.h"
 #include "ui/session/studies.h"
 #include "ui/session/versor.h"
+#include "ui/session/view_state.h"
 #include "ui/widgets/theme.h"
 #include "workspace/export_document.h"
 #include "workspace/workspace.h"
@@ -36,36 +37,6 @@
 namespace versorium {
 
 inline constexpr double kNoticeFor = 6;  // seconds that a notice stays
-
-// The places that a view has shown, for back and forward.
-struct Visits {
-    std::vector<SliceSpec> places;
-    std::size_t at = 0;
-};
-
-struct ViewState {
-    LivePicture picture;
-    std::string key, orbits;  // LiveScene's, made anew when the revision is
-    std::uint64_t revision = 0;
-    double aspect = 0;  // that the key was made for
-    Visits visits;
-    std::optional<Glide> glide;  // on its way; the workspace holds where it is now
-    ImVec2 low{}, high{};        // its rectangle in the window
-    enum class Drag {
-        none,
-        pan,
-        marker,
-        box,
-        pinch,
-        start,
-        compared,
-        root,
-        circle,  // its radius
-        centre   // of a circle
-    } drag = Drag::none;
-    ImVec2 dragFrom{};
-    double pinchedAt = -100;  // when two fingers moved it last
-};
 
 struct Probe {
     int view = -1;
@@ -107,6 +78,7 @@ struct StudioContext {
     std::array<ViewState, kMostViews> views;
     std::uint64_t revision = 1;
     bool touched = false;
+    bool buttonDown = false;  // of the pointer, wherever it is
     double touchedAt = 0;
 
     std::size_t theme = 0;
@@ -218,7 +190,7 @@ struct StudioContext {
     bool gliding() const;
     // Two fingers whose middle went from one place of the window to another while their distance
     // grew by a factor. Whatever a finger had begun to drag is let go. False where no view is.
-    bool pinch(ImVec2 from, ImVec2 to, double factor);
+    bool pinch(ScreenPoint from, ScreenPoint to, double factor);
     void pan(int view, double widths, double heights);
     void choose(RendererChoice choice);
     void nextRenderer();
@@ -267,8 +239,6 @@ struct StudioContext {
 };
 
 // Panels. Rectangles are in ImGui's coordinates.
-void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high);
-void drawProbe(StudioContext& context);
 void drawPaletteEditor(StudioContext& context);
 void drawInspector(StudioContext& context);
 void drawLayers(StudioContext& context);

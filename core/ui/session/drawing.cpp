@@ -18,30 +18,29 @@ constexpr float kLeastMove = 2.5f;  // pixels between corners of a stroke
 constexpr double kSmooth = 1.2;     // pixels that a simplified stroke may be off
 constexpr double kDabs = 0.4;       // of the brush's radius, between two dabs of a stroke
 
-float distance(ImVec2 a, ImVec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
+float distance(ScreenPoint a, ScreenPoint b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-ImVec2 cornerAt(const ViewPlane& plane, const glm::dvec2& corner) {
+ScreenPoint cornerAt(const ViewPlane& plane, const glm::dvec2& corner) {
     return plane.at(corner.x, corner.y);
 }
 
 // How far the corners since the press reach on the screen.
 float strokeSize(const Drawing& drawing, const ViewPlane& plane) {
-    ImVec2 low{1e9f, 1e9f}, high{-1e9f, -1e9f};
+    ScreenPoint low{1e9f, 1e9f}, high{-1e9f, -1e9f};
     for (const glm::dvec2& corner : drawing.corners) {
-        const ImVec2 at = cornerAt(plane, corner);
+        const ScreenPoint at = cornerAt(plane, corner);
         low = {std::min(low.x, at.x), std::min(low.y, at.y)};
         high = {std::max(high.x, at.x), std::max(high.y, at.y)};
     }
     return std::min(high.x - low.x, high.y - low.y);
 }
 
-void drawOutline(StudioContext& context, int view, const ViewPlane& plane, bool hovered,
-                 bool active) {
+void drawOutline(StudioContext& context, int view, const ViewPlane& plane, const Pointer& pointer) {
     Drawing& drawing = context.drawing;
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const ScreenPoint mouse = pointer.at;
     const glm::dvec2 here(plane.u(mouse.x), plane.v(mouse.y));
     const float scale = context.scale;
-    if (hovered && ImGui::IsMouseClicked(0)) {
+    if (pointer.over && pointer.left) {
         context.welcome = false;
         context.animation.running = false;
         if (view != drawing.view) drawing.corners.clear();
@@ -57,7 +56,7 @@ void drawOutline(StudioContext& context, int view, const ViewPlane& plane, bool 
     }
     if (view != drawing.view || !drawing.pressed) return;
     const bool dragged = distance(mouse, drawing.pressedAt) > kCloses * scale;
-    if (active) {
+    if (pointer.held) {
         if (drawing.corners.size() < 4 * kMostOutlineCorners &&
             distance(cornerAt(plane, drawing.corners.back()), mouse) >= kLeastMove * scale)
             drawing.corners.push_back(here);
@@ -77,7 +76,8 @@ void drawOutline(StudioContext& context, int view, const ViewPlane& plane, bool 
         drawing.corners.pop_back();
 }
 
-ModulationSpec& painted(Scene& scene, Drawing::Tool tool) {
+template <class AnyScene>
+auto& paintedOf(AnyScene& scene, Drawing::Tool tool) {
     return tool == Drawing::Tool::alpha ? scene.alphaOverSpace : scene.betaOverSpace;
 }
 
@@ -85,21 +85,26 @@ void dabAt(StudioContext& context, Drawing::Tool tool, const std::array<double, 
     const Drawing& drawing = context.drawing;
     const auto [x, y, z] = place;
     const double value = tool == Drawing::Tool::alpha ? drawing.alpha : drawing.beta;
-    for (Scene& each : context.workspace.views) {
-        auto& discs = painted(each, tool).discs;
-        if (drawing.erases)
-            std::erase_if(discs, [&, x = x, y = y, z = z](const PaintedDisc& disc) {
-                const double far = std::hypot(disc.x - x, disc.y - y, disc.z - z);
-                return far < std::max(drawing.radius, 0.5 * disc.radius);
-            });
-        else if (discs.size() < kMostPaintedDiscs)
-            discs.push_back({x, y, z, drawing.radius, value});
-        else
-            return context.say(
-                "There are as many dabs as may be: erase some, or use a larger "
-                "brush");
-    }
-    context.touch();
+    const auto full = [&](const Scene& scene) {
+        return paintedOf(scene, tool).discs.size() >= kMostPaintedDiscs;
+    };
+    const std::vector<Scene>& views = context.workspace.views;
+    if (!drawing.erases && std::any_of(views.begin(), views.end(), full))
+        return context.say(
+            "There are as many dabs as may be: erase some, or use a larger "
+            "brush");
+    context.edit([&, x = x, y = y, z = z](Workspace& workspace) {
+        for (Scene& each : workspace.views) {
+            auto& discs = paintedOf(each, tool).discs;
+            if (drawing.erases)
+                std::erase_if(discs, [&](const PaintedDisc& disc) {
+                    const double far = std::hypot(disc.x - x, disc.y - y, disc.z - z);
+                    return far < std::max(drawing.radius, 0.5 * disc.radius);
+                });
+            else
+                discs.push_back({x, y, z, drawing.radius, value});
+        }
+    });
 }
 
 void dab(StudioContext& context, int view, double u, double v) {
@@ -109,11 +114,10 @@ void dab(StudioContext& context, int view, double u, double v) {
     dabAt(context, context.drawing.tool, shapePlace(scene, *program, u, v));
 }
 
-void paint(StudioContext& context, int view, const ViewPlane& plane, bool hovered, bool active) {
+void paint(StudioContext& context, int view, const ViewPlane& plane, const Pointer& pointer) {
     Drawing& drawing = context.drawing;
-    const ImGuiIO& io = ImGui::GetIO();
-    const glm::dvec2 here(plane.u(io.MousePos.x), plane.v(io.MousePos.y));
-    if (hovered && ImGui::IsMouseClicked(0)) {
+    const glm::dvec2 here(plane.u(pointer.at.x), plane.v(pointer.at.y));
+    if (pointer.over && pointer.left) {
         context.mark(view);
         context.animation.running = false;
         drawing.view = view;
@@ -123,7 +127,7 @@ void paint(StudioContext& context, int view, const ViewPlane& plane, bool hovere
         return;
     }
     if (!drawing.pressed || view != drawing.view) return;
-    drawing.pressed = active;  // a quick stroke may end in the frame of its last move
+    drawing.pressed = pointer.held;  // a quick stroke may end in the frame of its last move
     // Dabs at even distances, however fast the hand was.
     const double step = kDabs * drawing.radius;
     for (int k = 0; k < 200 && glm::distance(here, drawing.lastDab) >= step; ++k) {
@@ -149,7 +153,7 @@ void chooseTool(StudioContext& context, Drawing::Tool tool) {
         return context.say("This map has no α and β: draw a shape first (D)");
     }
     // On a phone one view is shown: the one that is drawn in.
-    Workspace& workspace = context.workspace;
+    const Workspace& workspace = context.workspace;
     for (int k = static_cast<int>(workspace.views.size()) - 1;
          k >= 0 && showsParameters(workspace.view()); --k)
         if (!showsParameters(workspace.views[static_cast<std::size_t>(k)])) context.mark(k);
@@ -157,42 +161,41 @@ void chooseTool(StudioContext& context, Drawing::Tool tool) {
     context.host.wake();
 }
 
-bool handleDrawing(StudioContext& context, int view, const ViewPlane& plane, bool hovered,
-                   bool active) {
+bool handleDrawing(StudioContext& context, int view, const ViewPlane& plane,
+                   const Pointer& pointer) {
     Drawing& drawing = context.drawing;
     if (drawing.tool == Drawing::Tool::none) return false;
     const Scene& scene = context.workspace.views[static_cast<std::size_t>(view)];
     // A second finger moves the view, and the stroke is not meant.
-    if (context.views[static_cast<std::size_t>(view)].drag == ViewState::Drag::pinch) {
+    if (context.views[static_cast<std::size_t>(view)].drag.fingers) {
         drawing.corners.clear();
         drawing.pressed = false;
         return false;
     }
     if (scene.slice.axes.size() < 2) return false;
-    if (ImGui::IsMouseDown(1)) return false;
+    if (pointer.rightDown) return false;
     if (drawing.tool == Drawing::Tool::outline) {
-        drawOutline(context, view, plane, hovered, active);
+        drawOutline(context, view, plane, pointer);
         return true;
     }
     if (showsParameters(scene)) return false;
-    paint(context, view, plane, hovered, active);
+    paint(context, view, plane, pointer);
     return true;
 }
 
-bool drawingKeys(StudioContext& context) {
+bool drawingKeys(StudioContext& context, const DrawingKeys& pressed) {
     Drawing& drawing = context.drawing;
     if (drawing.tool == Drawing::Tool::none) return false;
-    if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) {
+    if (pressed.escape) {
         chooseTool(context, drawing.tool);
         return true;
     }
     if (drawing.tool != Drawing::Tool::outline || drawing.corners.empty()) return false;
-    if (ImGui::IsKeyPressed(ImGuiKey_Enter, false) ||
-        ImGui::IsKeyPressed(ImGuiKey_KeypadEnter, false)) {
+    if (pressed.enter) {
         finishOutline(context);
         return true;
     }
-    if (ImGui::IsKeyPressed(ImGuiKey_Backspace)) {
+    if (pressed.back) {
         drawing.corners.pop_back();
         return true;
     }

@@ -268,22 +268,4 @@ bool isOpenInStep(StudioContext& context, const std::string& id) {
     });
 }
 
-void drawLessonMarks(StudioContext& context, int view, const ViewPlane& plane, ImDrawList& list) {
-    if (!context.lessons.now || context.lessons.now->wandering()) return;
-    const LessonSession& session = context.lessons.now->session;
-    const std::optional<Question>& question = session.step().question;
-    if (!question || question->kind != AnswerKind::point || question->view != view) return;
-    const std::vector<double> answer = answerNumbers(session.state().answer);
-    const auto mark = [&](double x, double y, MarkShape shape, const char* word, ImU32 colour) {
-        const ImVec2 at = plane.at(x, y);
-        drawMark(list, at, 10 * context.scale, shape, colour);
-        drawText(list, {at.x + 14 * context.scale, at.y - 8 * context.scale}, colour, word);
-    };
-    if (answer.size() == 2)
-        mark(answer[0], answer[1], MarkShape::diamond, tr("your answer"), pinColour(3));
-    if (session.state().revealed && !session.state().right)
-        mark(question->answer[0], question->answer[1], MarkShape::square, tr("the answer"),
-             pinColour(1));
-}
-
 }  // namespace versorium

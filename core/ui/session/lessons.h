@@ -9,7 +9,6 @@
 
 #include "imgui.h"
 #include "lesson/session.h"
-#include "ui/session/view_plane.h"
 
 namespace versorium {
 
@@ -85,9 +84,6 @@ void exportStep(StudioContext& context);
 bool isOpenInStep(StudioContext& context, const std::string& id);
 // Whether the step names its controls: they alone are shown.
 bool stepNamesControls(const StudioContext& context);
-
-// An answered point and the right one, side by side.
-void drawLessonMarks(StudioContext& context, int view, const ViewPlane& plane, ImDrawList& list);
 
 // The pane, in what ImGui calls the present window.
 void drawLessonPane(StudioContext& context);

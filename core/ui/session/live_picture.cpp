@@ -291,35 +291,12 @@ float LivePicture::progress() const {
     return (static_cast<float>(stage_) + part) / kFinished;
 }
 
-void LivePicture::toTexture() {
-    if (!upload_ || pixels_.empty()) return;
-    upload_ = false;
-    texture_ = putTexture(texture_, pixelSize_, pixels_.data());
-}
-
-void LivePicture::draw(ImDrawList& list, ImVec2 low, ImVec2 high) {
-    toTexture();
-    if (texture_ == 0) return;
-    // Where the picture that there is lies in the view that is wanted.
-    const double scale = shown_.height / place_.height;
-    const double unit = (high.y - low.y) / place_.height;
-    const double x = 0.5 * (low.x + high.x) + ((shown_.centre[0] - place_.centre[0]) +
-                                               (shown_.centreLow[0] - place_.centreLow[0])) *
-                                                  unit;
-    const double y = 0.5 * (low.y + high.y) - ((shown_.centre[1] - place_.centre[1]) +
-                                               (shown_.centreLow[1] - place_.centreLow[1])) *
-                                                  unit;
-    const double halfHeight = 0.5 * (high.y - low.y) * scale;
-    const double halfWidth = halfHeight * shown_.size.width / shown_.size.height;
-    constexpr double kFar = 1e7;
-    if (!(std::abs(x) < kFar && std::abs(y) < kFar && halfWidth < kFar)) return;
-    const auto corner = [](double u, double v) {
-        return ImVec2{static_cast<float>(u), static_cast<float>(v)};
-    };
-    list.PushClipRect(low, high, true);
-    list.AddImage(textureId(texture_), corner(x - halfWidth, y - halfHeight),
-                  corner(x + halfWidth, y + halfHeight));
-    list.PopClipRect();
+unsigned LivePicture::shownTexture() {
+    if (upload_ && !pixels_.empty()) {
+        upload_ = false;
+        texture_ = putTexture(texture_, pixelSize_, pixels_.data());
+    }
+    return texture_;
 }
 
 void LivePicture::contextLost() {

@@ -12,7 +12,6 @@
 #include <string>
 
 #include "gpu/gpu_picture.h"
-#include "imgui.h"
 #include "ui/host/host.h"
 #include "ui/session/flash_guard.h"
 #include "view/slice.h"
@@ -43,8 +42,11 @@ class LivePicture {
     void take(WorkAnswer answer);
     // Lets the graphics processor draw on for about this long.
     void work(Host& host, double seconds);
-    // Draws what there is into the rectangle.
-    void draw(ImDrawList& list, ImVec2 low, ImVec2 high);
+    // What is there: a texture, of the place that it was made for, and the place that is wanted.
+    // 0 before the first picture.
+    unsigned shownTexture();
+    const Viewport& shownPlace() const { return shown_; }
+    const Viewport& wantedPlace() const { return place_; }
 
     bool waiting() const { return asked_ != 0 || gpuWorking_; }
     bool finished() const { return !waiting() && stage_ == kFinished; }
@@ -68,8 +70,6 @@ class LivePicture {
     // another frame is due.
     bool held() const { return held_; }
 
-    // What is shown, of the place that it was made for; 0 before the first picture.
-    unsigned texture() const { return texture_; }
     // How many pictures were shown so far, coarse ones too.
     int pictures() const { return pictures_; }
 
@@ -91,7 +91,6 @@ class LivePicture {
     bool guarded() const;
     bool admits();
     void hold();
-    void toTexture();
 
     std::string wanted_;  // the key of what is asked for
     GpuDevice* wantedFrom_ = nullptr;

@@ -27,12 +27,9 @@ struct SpaceView {
     void contextLost() { solid = veil = 0, shown = veiled = false; }
 };
 
-// The inspector's part; nothing where the marked view is no plane in space.
-void drawSpaceView(StudioContext& context);
-
-// By how much the plane lies off the origin, along its normal; for the keyboard.
-double planeOffset(const PlaneInSpace& plane);
+// The plane of the marked view; none where that shows no plane in space.
 std::optional<PlaneInSpace> markedPlane(StudioContext& context);
 void putPlane(StudioContext& context, const PlaneInSpace& plane);
-
+// By how much a plane lies off the origin, along its normal; for the keyboard.
+double planeOffset(const PlaneInSpace& plane);
 }  // namespace versorium

@@ -52,8 +52,7 @@ void append(std::vector<double>& numbers, const Window& window) {
 }  // namespace
 
 bool atRest(const StudioContext& context) {
-    const bool held = ImGui::GetCurrentContext() && ImGui::IsAnyMouseDown();
-    return !held && !context.moves() && !context.gliding() &&
+    return !context.buttonDown && !context.moves() && !context.gliding() &&
            (!context.touched || context.host.now() - context.touchedAt > kRest);
 }
 
@@ -234,11 +233,12 @@ std::optional<std::vector<double>> startOf(StudioContext& context, int view) {
 }
 
 void setStart(StudioContext& context, int view, std::vector<double> start) {
-    Scene& scene = context.workspace.views[static_cast<std::size_t>(view)];
     if (std::any_of(start.begin(), start.end(), [](double x) { return !std::isfinite(x); })) return;
-    scene.criticalStart.reset();
-    scene.start = std::move(start);
-    context.touch();
+    context.edit([&](Workspace& workspace) {
+        Scene& scene = workspace.views[static_cast<std::size_t>(view)];
+        scene.criticalStart.reset();
+        scene.start = std::move(start);
+    });
 }
 
 void startAtNearest(StudioContext& context, int view, PlanePoint near) {
@@ -260,15 +260,15 @@ void startAtNearest(StudioContext& context, int view, PlanePoint near) {
 
 void nextAxis(StudioContext& context, const std::string& name) {
     Studies& studies = context.studies;
-    Workspace& workspace = context.workspace;
-    const std::string now = axisSign(workspace, name);
+    const std::string now = axisSign(context.workspace, name);
     if (!now.empty()) {
         studies.newestAxis = now == "→" ? 0 : 1;
         return;
     }
     studies.newestAxis = 1 - studies.newestAxis;
-    makeAxis(workspace, static_cast<std::size_t>(studies.newestAxis), name);
-    context.touch();
+    context.edit([&](Workspace& workspace) {
+        makeAxis(workspace, static_cast<std::size_t>(studies.newestAxis), name);
+    });
 }
 
 const char* axisSign(const Workspace& workspace, const std::string& name) {
@@ -341,7 +341,7 @@ DiagramStudy& studyDiagram(StudioContext& context, Size size) {
 
 void fitDiagram(StudioContext& context) {
     constexpr int kColumns = 400, kSteps = 200;
-    Workspace& workspace = context.workspace;
+    const Workspace& workspace = context.workspace;
     const std::string number = diagramNumber(workspace);
     const Workspace::Diagram usual = usualDiagram(workspace, number);
     Job job(1);
@@ -357,8 +357,9 @@ void fitDiagram(StudioContext& context) {
         right = std::max(right, at[0]);
     }
     if (!(left <= right)) return context.say("The orbit escapes everywhere in this range");
-    workspace.diagram = {number, left - 2 * step, right + 2 * step};
-    context.touch();
+    context.edit([&](Workspace& changed) {
+        changed.diagram = {number, left - 2 * step, right + 2 * step};
+    });
 }
 
 }  // namespace versorium

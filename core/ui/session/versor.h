@@ -57,9 +57,8 @@ struct RootDraw {
 };
 // What hand and panel are at, beside the workspace.
 struct VersorState {
-    RootRef chosen;                // the root whose numbers are shown
-    std::array<double, 2> grab{};  // from the pointer to the root while it is dragged
-    double turned = 0;             // of the wheel, less than a step
+    RootRef chosen;     // the root whose numbers are shown
+    double turned = 0;  // of the wheel, less than a step
     RootDraw draw;
 };
 

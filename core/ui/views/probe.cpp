@@ -5,8 +5,8 @@
 #include "fields/dynamics.h"
 #include "math/elementary.h"
 #include "shape/modulation.h"
-#include "ui/marks/marks.h"
 #include "ui/session/shape_change.h"
+#include "ui/views/view.h"
 #include "ui/widgets/help.h"
 
 namespace versorium {
@@ -53,25 +53,27 @@ void probeShape(const Scene& scene, const OrbitProgram& program, Probe& found) {
 
 }  // namespace
 
-void probe(StudioContext& context, int view, const ViewPlane& plane, ImVec2 mouse) {
-    const Scene& scene = context.workspace.views[static_cast<std::size_t>(view)];
+void probe(const ViewFrame& frame) {
+    StudioContext& context = frame.context;
+    const Scene& scene = frame.scene();
     Probe& found = context.probe;
-    const double u = plane.u(mouse.x), v = plane.v(mouse.y);
-    if (found.view == view && found.u == u && found.v == v && found.revision == context.revision)
+    const double u = frame.u(), v = frame.v();
+    if (found.view == frame.view && found.u == u && found.v == v &&
+        found.revision == context.revision)
         return;
     found = {};
-    found.view = view;
+    found.view = frame.view;
     found.u = u;
     found.v = v;
     found.revision = context.revision;
     for (std::size_t k = 0; k < 2 && k < scene.slice.axes.size(); ++k) {
         const std::string name = scene.slice.axes[k].terms[0].first;
-        const std::string value = coordinate(k ? v : u, plane.place);
+        const std::string value = coordinate(k ? v : u, frame.plane.place);
         found.text += (k ? "   " : "") + name + " = " + value;
         found.rows.emplace_back(name, value);
     }
     std::vector<std::string> values(std::size(kRows));
-    const OrbitProgram* bound = context.program(view);
+    const OrbitProgram* bound = context.program(frame.view);
     if (bound) {
         OrbitProgram program = *bound;
         program.iterations = std::min(program.iterations, kProbeIterations);

@@ -8,6 +8,7 @@
 #include "shape/bounds.h"
 #include "ui/backend/texture.h"
 #include "ui/session/context.h"
+#include "ui/views/view.h"
 #include "ui/widgets/help.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/panel_parts.h"
@@ -157,7 +158,7 @@ void drawPicture(StudioContext& context, SpaceView& view, const PlaneInSpace& pl
                  ImVec2 high) {
     const int index = context.workspace.focused;
     const Scene& scene = context.workspace.view();
-    const LivePicture& picture = context.views[static_cast<std::size_t>(index)].picture;
+    LivePicture& picture = context.views[static_cast<std::size_t>(index)].picture;
     Viewport place = viewportOf(scene, {1000, 1000});
     const double aspect = context.aspect(index);
     place.height = shownHeight(scene, aspect);
@@ -186,7 +187,7 @@ void drawPicture(StudioContext& context, SpaceView& view, const PlaneInSpace& pl
     list.PushClipRect(low, high, true);
     list.AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_FrameBg), 6);
     list.AddImage(textureId(view.solid), low, high);
-    if (const unsigned texture = picture.texture(); texture != 0)
+    if (const unsigned texture = picture.shownTexture(); texture != 0)
         list.AddImageQuad(textureId(texture), quad[0], quad[1], quad[2], quad[3]);
     list.AddQuad(quad[0], quad[1], quad[2], quad[3], themes()[context.theme].accent, 1.5f);
     list.AddImage(textureId(view.veil), low, high);
@@ -205,21 +206,6 @@ void drawPicture(StudioContext& context, SpaceView& view, const PlaneInSpace& pl
 }
 
 }  // namespace
-
-double planeOffset(const PlaneInSpace& plane) { return glm::dot(plane.origin, plane.normal()); }
-
-std::optional<PlaneInSpace> markedPlane(StudioContext& context) {
-    const Scene& scene = context.workspace.view();
-    if (!mapOf(scene).info.field || showsParameters(scene)) return std::nullopt;
-    const OrbitProgram* program = context.program(context.workspace.focused);
-    if (!program || !program->field) return std::nullopt;
-    return planeInSpace(scene, *program);
-}
-
-void putPlane(StudioContext& context, const PlaneInSpace& plane) {
-    setPlane(context.workspace.view(), plane);
-    context.touch();
-}
 
 void drawSpaceView(StudioContext& context) {
     const std::optional<PlaneInSpace> plane = markedPlane(context);

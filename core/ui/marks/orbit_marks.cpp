@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "ui/marks/marks.h"
+// The orbit on planes of starting points, and arrows there from points to their images.
+#include <algorithm>
+#include <cmath>
 
 #include "fields/dynamics.h"
+#include "ui/marks/mark.h"
+#include "ui/marks/shapes.h"
 
 namespace versorium {
 namespace {
 
-constexpr ImU32 kHalo = IM_COL32(8, 10, 14, 200);
+constexpr ImU32 kOrbitHalo = IM_COL32(8, 10, 14, 200);
 constexpr float kArrowGap = 46;  // between the arrows of the grid, at scale 1
 
 // The component of the state that runs along an axis of the view by itself; -1 where none does.
@@ -24,57 +28,30 @@ double coordinateOf(const Scene& scene, std::size_t axis, double value) {
     return (value - (origin == scene.slice.origin.end() ? 0 : origin->second)) / weight;
 }
 
-}  // namespace
-
-void drawArrow(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 colour, ImU32 halo, float scale) {
-    const float x = to.x - from.x, y = to.y - from.y;
-    const float length = std::hypot(x, y);
-    if (length < 3 * scale) return;
-    const float head = std::min(7 * scale, 0.5f * length);
-    const ImVec2 along{x / length * head, y / length * head};
-    const ImVec2 neck{to.x - along.x, to.y - along.y};
-    const ImVec2 left{neck.x - 0.45f * along.y, neck.y + 0.45f * along.x};
-    const ImVec2 right{neck.x + 0.45f * along.y, neck.y - 0.45f * along.x};
-    list.AddLine(from, neck, halo, 3.6f * scale);
-    list.AddTriangle(to, left, right, halo, 2.4f * scale);
-    list.AddLine(from, neck, colour, 1.5f * scale);
-    list.AddTriangleFilled(to, left, right, colour);
-}
-
-ImU32 stepColour(int n, int steps, int alpha) {
-    // Yellow, vermilion, violet: apart for colour-blind eyes by their lightness as well.
-    constexpr int colours[3][3] = {{255, 222, 110}, {240, 128, 92}, {190, 120, 230}};
-    const double part = 2.0 * std::clamp(static_cast<double>(n) / std::max(1, steps), 0.0, 1.0);
-    const int first = part < 1 ? 0 : 1;
-    const double t = part - first;
-    const auto mixed = [&](int c) {
-        return static_cast<int>((1 - t) * colours[first][c] + t * colours[first + 1][c]);
-    };
-    return IM_COL32(mixed(0), mixed(1), mixed(2), alpha);
-}
-
-void drawOrbit(StudioContext& context, int view, const ViewPlane& plane, ImDrawList& list) {
-    const Workspace& workspace = context.workspace;
-    const Scene& scene = workspace.views[static_cast<std::size_t>(view)];
+void drawOrbit(const ViewFrame& frame) {
+    const Workspace& workspace = frame.workspace();
+    const Scene& scene = frame.scene();
+    if (showsParameters(scene) || !frame.spoken()) return;
     const int first = stateAlong(scene, 0), second = stateAlong(scene, 1);
-    const std::vector<std::vector<double>>& orbit = context.orbit();
+    const std::vector<std::vector<double>>& orbit = frame.context.orbit();
     if (first < 0 || second < 0 || orbit.empty()) return;
     const int steps = workspace.orbitSteps;
-    const float scale = context.scale;
+    const float scale = frame.scale();
+    ImDrawList& list = frame.list();
     std::vector<ImVec2> points;
     for (const auto& row : orbit) {
         const double u = coordinateOf(scene, 0, row[static_cast<std::size_t>(first)]);
         const double v = coordinateOf(scene, 1, row[static_cast<std::size_t>(second)]);
         if (!std::isfinite(u) || !std::isfinite(v)) break;
-        points.push_back(plane.at(u, v));
+        points.push_back(frame.plane.at(u, v));
     }
     const int count = static_cast<int>(points.size());
     const auto at = [&](int n) { return points[static_cast<std::size_t>(n)]; };
-    for (int n = 1; n < count; ++n) list.AddLine(at(n - 1), at(n), kHalo, 3.5f * scale);
+    for (int n = 1; n < count; ++n) list.AddLine(at(n - 1), at(n), kOrbitHalo, 3.5f * scale);
     for (int n = 1; n < count; ++n)
         list.AddLine(at(n - 1), at(n), stepColour(n, steps, 200), 1.5f * scale);
     for (int n = 1; n < count; ++n) {
-        list.AddCircleFilled(at(n), 4 * scale, kHalo);
+        list.AddCircleFilled(at(n), 4 * scale, kOrbitHalo);
         list.AddCircleFilled(at(n), 2.6f * scale, stepColour(n, steps));
     }
     // Numbers only where no other stands yet: an orbit comes back to its cycle again and again.
@@ -96,12 +73,14 @@ void drawOrbit(StudioContext& context, int view, const ViewPlane& plane, ImDrawL
     }
 }
 
-void drawArrows(StudioContext& context, int view, const ViewPlane& plane, ImDrawList& list) {
-    const Scene& scene = context.workspace.views[static_cast<std::size_t>(view)];
+void drawArrows(const ViewFrame& frame) {
+    const Scene& scene = frame.scene();
+    if (showsParameters(scene) || !frame.workspace().arrows) return;
     const int first = stateAlong(scene, 0), second = stateAlong(scene, 1);
-    const OrbitProgram* program = context.program(view);
+    const OrbitProgram* program = frame.context.program(frame.view);
     if (first < 0 || second < 0 || !program || program->critical) return;
-    const float gap = kArrowGap * context.scale;
+    const ViewPlane& plane = frame.plane;
+    const float gap = kArrowGap * frame.scale();
     std::vector<double> u, v;
     // The grid keeps its points in the middle: it stands still while the view is resized.
     const int across = static_cast<int>((plane.high.x - plane.low.x) / gap) / 2;
@@ -113,7 +92,7 @@ void drawArrows(StudioContext& context, int view, const ViewPlane& plane, ImDraw
             v.push_back(plane.v(middle.y + gap * static_cast<float>(j)));
         }
     // The ring's own arrow comes last, in full.
-    const auto marker = markerOf(context.workspace, static_cast<std::size_t>(view));
+    const auto marker = markerOf(frame.workspace(), frame.index());
     u.push_back(marker[0]);
     v.push_back(marker[1]);
     const double* coordinates[3] = {u.data(), v.data(), v.data()};
@@ -139,12 +118,17 @@ void drawArrows(StudioContext& context, int view, const ViewPlane& plane, ImDraw
                 images[static_cast<std::size_t>(c)][k] * images[static_cast<std::size_t>(c)][k];
         }
         const ImU32 inwards = IM_COL32(255, 255, 255, 235), outwards = IM_COL32(120, 200, 255, 235);
-        drawArrow(list, from, to,
+        drawArrow(frame.list(), from, to,
                   last              ? IM_COL32(255, 222, 110, 255)
                   : after <= before ? inwards
                                     : outwards,
-                  kHalo, context.scale);
+                  kOrbitHalo, frame.scale());
     }
 }
+
+}  // namespace
+
+const Mark orbitMark{.draw = drawOrbit};
+const Mark arrowMark{.draw = drawArrows};
 
 }  // namespace versorium
