@@ -35,7 +35,8 @@ float strokeSize(const Drawing& drawing, const ViewPlane& plane) {
     return std::min(high.x - low.x, high.y - low.y);
 }
 
-void drawOutline(StudioContext& context, int view, const ViewPlane& plane, const Pointer& pointer) {
+void traceOutline(StudioContext& context, int view, const ViewPlane& plane,
+                  const Pointer& pointer) {
     Drawing& drawing = context.drawing;
     const ScreenPoint mouse = pointer.at;
     const glm::dvec2 here(plane.u(mouse.x), plane.v(mouse.y));
@@ -175,7 +176,7 @@ bool handleDrawing(StudioContext& context, int view, const ViewPlane& plane,
     if (scene.slice.axes.size() < 2) return false;
     if (pointer.rightDown) return false;
     if (drawing.tool == Drawing::Tool::outline) {
-        drawOutline(context, view, plane, pointer);
+        traceOutline(context, view, plane, pointer);
         return true;
     }
     if (showsParameters(scene)) return false;
