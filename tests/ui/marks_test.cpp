@@ -269,6 +269,39 @@ TEST(MarkTable, AToolInTheHandHasThePointerToItself) {
     EXPECT_EQ(hand.context.workspace.point[0], -0.45);
 }
 
+// Which the next views of the same frame are not among.
+TEST(ViewInput, AShapeDrawnInTheLastOfFourViewsLeavesTwo) {
+    HandOnView hand;
+    hand.openPreset("mandelbrot");
+    hand.context.edit([](Workspace& workspace) { setViewCount(workspace, 4); });
+    hand.view = 3;
+    hand.frames(3);
+    chooseTool(hand.context, Drawing::Tool::outline);
+    hand.move({420, 300});
+    hand.button(true);
+    for (int k = 0; k <= 40; ++k) {
+        const float angle = 0.157f * static_cast<float>(k);
+        hand.move({300 + 120 * std::cos(angle), 300 + 120 * std::sin(angle)});
+    }
+    hand.button(false);
+    EXPECT_EQ(hand.context.workspace.views.size(), 2u);
+    EXPECT_TRUE(mapOf(hand.context.workspace.view()).info.field);
+}
+
+TEST(ViewInput, ABrushPaintsNothingOnAMapWithoutAShape) {
+    HandOnView hand;
+    hand.openMap("shape-modulus-complex-rational");
+    chooseTool(hand.context, Drawing::Tool::alpha);
+    hand.context.newMap("quadratic");
+    ASSERT_EQ(hand.context.drawing.tool, Drawing::Tool::alpha);
+    hand.frames(2);
+    hand.move({200, 200});
+    hand.button(true);
+    hand.move({300, 300});
+    hand.button(false);
+    EXPECT_TRUE(hand.context.workspace.views[1].alphaOverSpace.discs.empty());
+}
+
 TEST(ViewInput, ABoxOfTheRightButtonIsZoomedTo) {
     HandOnView hand;
     openCircleAndRoot(hand);

@@ -109,8 +109,9 @@ void dabAt(StudioContext& context, Drawing::Tool tool, const std::array<double, 
 }
 
 void dab(StudioContext& context, int view, double u, double v) {
+    // Undo may have brought back a map without a shape, with the brush still in the hand.
     const OrbitProgram* program = context.program(view);
-    if (!program) return;
+    if (!program || !program->field) return;
     const Scene& scene = context.workspace.views[static_cast<std::size_t>(view)];
     dabAt(context, context.drawing.tool, shapePlace(scene, *program, u, v));
 }

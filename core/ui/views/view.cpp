@@ -29,9 +29,29 @@ Size sizeOf(ImVec2 low, ImVec2 high) {
             static_cast<int>(std::lround((high.y - low.y) * scale.y))};
 }
 
+// An edit may have left fewer views than there were when the window began to draw them, as a shape
+// that is drawn in the last one of four does; the next frame draws those that there are.
+bool isThere(const StudioContext& context, int view) {
+    return view < static_cast<int>(context.workspace.views.size());
+}
+
+// The state as the hand has left it becomes a picture.
+void showView(const ViewFrame& frame) {
+    StudioContext& context = frame.context;
+    wantPicture(context, frame.view, frame.plane.place, secondsOfFrame(context.workspace));
+    drawViewParts(frame);
+    if (frame.pointer.over && frame.state().drag.idle())
+        probe(frame);
+    else if (!frame.pointer.over && context.probe.view == frame.view)
+        context.probe.text.clear(), context.probe.view = -1;
+    for (const Mark* mark : marksByHand())
+        if (mark->drawMenu) mark->drawMenu(frame);
+}
+
 }  // namespace
 
 void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
+    if (!isThere(context, view)) return;
     ViewState& state = context.views[static_cast<std::size_t>(view)];
     state.low = low;
     state.high = high;
@@ -45,16 +65,7 @@ void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high) {
     context.buttonDown = ImGui::IsAnyMouseDown();
 
     takeInput(frameOf(context, view, size, pointer));
-    const ViewFrame frame = frameOf(context, view, size, pointer);  // what that has led to
-    wantPicture(context, view, frame.plane.place, secondsOfFrame(context.workspace));
-    drawViewParts(frame);
-
-    if (pointer.over && state.drag.idle())
-        probe(frame);
-    else if (!pointer.over && context.probe.view == view)
-        context.probe.text.clear(), context.probe.view = -1;
-    for (const Mark* mark : marksByHand())
-        if (mark->drawMenu) mark->drawMenu(frame);
+    if (isThere(context, view)) showView(frameOf(context, view, size, pointer));
     ImGui::PopID();
 }
 
