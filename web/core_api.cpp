@@ -41,7 +41,8 @@ Expected<Opened> open(const char* text, int width, int height) {
     Expected<Document> document =
         documentFromBytes({reinterpret_cast<const unsigned char*>(view.data()), view.size()});
     if (!document) return document.status();
-    if (document->kind != "scene") return Status::data("this is a plate, not a scene");
+    if (document->kind != DocumentKind::scene)
+        return Status::data("this is a " + std::string(wordOf(document->kind)) + ", not a scene");
     Expected<Scene> scene = sceneWithAssets(document->body, document->assets);
     if (!scene) return scene.status();
     Expected<PictureOptions> options = pictureOptions(*document);

@@ -107,7 +107,7 @@ void draw(int width, int height) {
 
 extern "C" {
 
-// 0 where the browser gives no WebGL 2: the processor then draws, and page.show() takes the pixels.
+// 0 where the browser gives no WebGL 2: the CPU then draws, and page.show() takes the pixels.
 EMSCRIPTEN_KEEPALIVE int page_start(int apple) {
     const bool openGl = openContext();
     ImGui::CreateContext();

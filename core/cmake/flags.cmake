@@ -23,6 +23,8 @@ endif()
 # All code but the kernels (which choose for themselves): the baseline processor, no contraction.
 add_library(versorium_exact INTERFACE)
 target_compile_options(versorium_exact INTERFACE -ffp-contract=off)
+# Whoever adds a value to an enumeration is led to every switch that must answer for it.
+target_compile_options(versorium_exact INTERFACE -Werror=switch)
 if(NOT EMSCRIPTEN AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     target_compile_options(versorium_exact INTERFACE -march=x86-64-v2)
 endif()

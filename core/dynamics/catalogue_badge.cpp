@@ -59,7 +59,7 @@ bool isCritical(const Sample& sample, bool analytic) {
     return std::abs(local.determinant) <= zero * (1 + local.size);
 }
 
-bool isPlanar(const System& system) { return system.map().info.name == "planar"; }
+bool isPlanar(const System& system) { return system.map().info.planarCoefficients; }
 
 bool isAnalytic(const System& system, bool conjugate) {
     if (system.dimension() == 1) return !conjugate;
@@ -160,6 +160,100 @@ void answerAnalytic(CatalogueBadge& badge, const MapKernels& map, const Count& c
             "Julia set is not connected, where it stays the other orbits decide as well.");
 }
 
+// What is found over the picture, at kAcross points along each axis, the middle among them.
+struct Survey {
+    bool everywhere = true, somewhere = false;  // the start is critical
+    bool exists = true, fixed = true;           // there is a start; the map leaves it where it is
+    bool constant = false, invertible = false;  // det J of a planar polynomial
+    Count count;                                // the most critical points
+};
+
+void lookAt(const Sample& sample, const Sample& middle, Survey& survey, CatalogueBadge& badge) {
+    const System& system = sample.system;
+    badge.analytic = badge.analytic && isAnalytic(system, false);
+    badge.conjugate = badge.conjugate && isAnalytic(system, true);
+    const bool complex = badge.analytic || badge.conjugate;
+    const bool critical = isCritical(sample, complex);
+    survey.everywhere = survey.everywhere && critical;
+    survey.somewhere = survey.somewhere || critical;
+    survey.exists = survey.exists && sample.exists;
+    const std::size_t dimension = sample.start.size();
+    double image[2] = {sample.start[0], dimension > 1 ? sample.start[1] : 0.0};
+    system.step(image);
+    for (std::size_t k = 0; k < dimension; ++k) {
+        survey.fixed = survey.fixed && std::abs(image[k] - sample.start[k]) < 1e-7;
+        badge.startMoves = badge.startMoves || std::abs(sample.start[k] - middle.start[k]) > 1e-9;
+    }
+    if (survey.constant) {
+        const Determinant kind = determinantKind(system);
+        survey.constant = kind != Determinant::varies;
+        survey.invertible = survey.invertible || kind == Determinant::constant;
+    }
+    if (!complex) return;
+    const Count own = countCritical(system);
+    survey.count.all = std::max(survey.count.all, own.all);
+    survey.count.free = std::max(survey.count.free, own.free);
+}
+
+Survey surveyOf(const OrbitProgram& program, const double* centre, double halfWidth,
+                double halfHeight, const Sample& middle, CatalogueBadge& badge) {
+    Survey survey;
+    survey.constant = isPlanar(middle.system);
+    const std::size_t axes = program.slice.axes.size();
+    for (int row = 0; row < (axes > 1 ? kAcross : 1); ++row)
+        for (int column = 0; column < kAcross; ++column) {
+            const double at[3] = {
+                centre[0] + halfWidth * (2.0 * column / (kAcross - 1) - 1),
+                axes > 1 ? centre[1] + halfHeight * (2.0 * row / (kAcross - 1) - 1) : 0.0,
+                axes > 2 ? centre[2] : 0.0};
+            lookAt(sampleAt(program, at), middle, survey, badge);
+        }
+    return survey;
+}
+
+// Whether the picture varies parameters alone, so that the question can be asked; else it is
+// answered.
+bool isAsked(const OrbitProgram& program, CatalogueBadge& badge) {
+    const auto dimension = static_cast<std::size_t>(program.map->dimension);
+    if (dimension > 2) {
+        say(badge, CatalogueAnswer::notAsked, "not a map of line or plane",
+            "Critical orbits decide about Julia sets of complex maps; this map has points of " +
+                std::to_string(dimension) + " numbers.");
+        return false;
+    }
+    bool parameters = false;
+    for (std::size_t k = 0; k < program.slice.origin.size(); ++k) {
+        if (!program.slice.varies(k)) continue;
+        if (k < dimension) {
+            say(badge, CatalogueAnswer::notAsked, "a picture of starting points",
+                "The picture varies the starting point: the question is asked of pictures that "
+                "vary parameters.");
+            return false;
+        }
+        parameters = true;
+    }
+    if (!parameters)
+        say(badge, CatalogueAnswer::notAsked, "nothing varies", "The picture varies no parameter.");
+    return parameters;
+}
+
+// Of a map that is not complex-analytic.
+void answerReal(CatalogueBadge& badge, const Survey& survey) {
+    badge.criticalPoints = -1;
+    if (survey.everywhere)
+        say(badge, CatalogueAnswer::oneOfSeveral, "a point where det J = 0",
+            "The start lies where det J = 0, but the map is not complex-analytic: such points are "
+            "in general a whole curve, and one orbit decides nothing about Julia sets. The picture "
+            "is a guide for the eye.");
+    else
+        say(badge, CatalogueAnswer::notCritical, "not a critical point",
+            "At the start " + pointText(badge.start) +
+                (survey.somewhere ? " det J is 0 for some of these parameters only"
+                                  : " det J is not 0") +
+                ", and the map is not complex-analytic: the picture shows where one orbit stays "
+                "bounded and is no catalogue of Julia sets.");
+}
+
 }  // namespace
 
 const char* wordOf(CatalogueAnswer answer) {
@@ -171,77 +265,20 @@ const char* wordOf(CatalogueAnswer answer) {
 CatalogueBadge catalogueBadge(const OrbitProgram& program, const double* centre, double halfWidth,
                               double halfHeight) {
     CatalogueBadge badge;
-    const MapKernels& map = *program.map;
-    const auto dimension = static_cast<std::size_t>(map.dimension);
-    if (dimension > 2) {
-        say(badge, CatalogueAnswer::notAsked, "not a map of line or plane",
-            "Critical orbits decide about Julia sets of complex maps; this map has points of " +
-                std::to_string(dimension) + " numbers.");
-        return badge;
-    }
-    bool parameters = false;
-    for (std::size_t k = 0; k < program.slice.origin.size(); ++k) {
-        if (!program.slice.varies(k)) continue;
-        if (k < dimension) {
-            say(badge, CatalogueAnswer::notAsked, "a picture of starting points",
-                "The picture varies the starting point: the question is asked of pictures that "
-                "vary parameters.");
-            return badge;
-        }
-        parameters = true;
-    }
-    if (!parameters) {
-        say(badge, CatalogueAnswer::notAsked, "nothing varies", "The picture varies no parameter.");
-        return badge;
-    }
+    if (!isAsked(program, badge)) return badge;
     const Sample middle = sampleAt(program, centre);
     badge.start = middle.start;
     badge.determinant = localAt(middle.system, middle.start.data()).determinant;
     badge.analytic = badge.conjugate = true;
-    bool everywhere = true, somewhere = false, exists = true, fixed = true;
-    bool constant = isPlanar(middle.system), invertible = false;
-    Count count;
-    const std::size_t axes = program.slice.axes.size();
-    for (int row = 0; row < (axes > 1 ? kAcross : 1); ++row)
-        for (int column = 0; column < kAcross; ++column) {
-            // The middle of the picture is among them.
-            const double at[3] = {
-                centre[0] + halfWidth * (2.0 * column / (kAcross - 1) - 1),
-                axes > 1 ? centre[1] + halfHeight * (2.0 * row / (kAcross - 1) - 1) : 0.0,
-                axes > 2 ? centre[2] : 0.0};
-            const Sample sample = sampleAt(program, at);
-            badge.analytic = badge.analytic && isAnalytic(sample.system, false);
-            badge.conjugate = badge.conjugate && isAnalytic(sample.system, true);
-            const bool complex = badge.analytic || badge.conjugate;
-            const bool critical = isCritical(sample, complex);
-            everywhere = everywhere && critical;
-            somewhere = somewhere || critical;
-            exists = exists && sample.exists;
-            double image[2] = {sample.start[0], dimension > 1 ? sample.start[1] : 0.0};
-            sample.system.step(image);
-            for (std::size_t k = 0; k < dimension; ++k)
-                fixed = fixed && std::abs(image[k] - sample.start[k]) < 1e-7;
-            for (std::size_t k = 0; k < dimension; ++k)
-                badge.startMoves =
-                    badge.startMoves || std::abs(sample.start[k] - middle.start[k]) > 1e-9;
-            if (constant) {
-                const Determinant kind = determinantKind(sample.system);
-                constant = kind != Determinant::varies;
-                invertible = invertible || kind == Determinant::constant;
-            }
-            if (!complex) continue;
-            const Count own = countCritical(sample.system);
-            count.all = std::max(count.all, own.all);
-            count.free = std::max(count.free, own.free);
-        }
-    if (constant && invertible) {
+    const Survey survey = surveyOf(program, centre, halfWidth, halfHeight, middle, badge);
+    if (survey.constant && survey.invertible) {
         say(badge, CatalogueAnswer::noCriticalPoint, "no critical point",
             "det J is the same number at every point, as for Hénon's map, so that the map has no "
             "critical point wherever it is not 0: the picture shows where one orbit stays bounded "
             "and is no catalogue of Julia sets.");
         return badge;
     }
-    if (!exists) {
+    if (!survey.exists) {
         say(badge, CatalogueAnswer::notCritical, "no such critical point",
             "The map has no critical point of this number, at least not everywhere in the "
             "picture.");
@@ -249,22 +286,11 @@ CatalogueBadge catalogueBadge(const OrbitProgram& program, const double* centre,
     }
     // A constant is both; it counts as analytic.
     badge.conjugate = badge.conjugate && !badge.analytic;
-    if (badge.analytic || badge.conjugate) {
-        answerAnalytic(badge, map, count, everywhere, somewhere, fixed);
-        return badge;
-    }
-    badge.criticalPoints = -1;
-    if (everywhere)
-        say(badge, CatalogueAnswer::oneOfSeveral, "a point where det J = 0",
-            "The start lies where det J = 0, but the map is not complex-analytic: such points are "
-            "in general a whole curve, and one orbit decides nothing about Julia sets. The picture "
-            "is a guide for the eye.");
+    if (badge.analytic || badge.conjugate)
+        answerAnalytic(badge, *program.map, survey.count, survey.everywhere, survey.somewhere,
+                       survey.fixed);
     else
-        say(badge, CatalogueAnswer::notCritical, "not a critical point",
-            "At the start " + pointText(badge.start) +
-                (somewhere ? " det J is 0 for some of these parameters only" : " det J is not 0") +
-                ", and the map is not complex-analytic: the picture shows where one orbit stays "
-                "bounded and is no catalogue of Julia sets.");
+        answerReal(badge, survey);
     return badge;
 }
 

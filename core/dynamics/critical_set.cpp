@@ -164,7 +164,7 @@ PlanePoint ontoZero(const System& system, PlanePoint at, double reach) {
 
 std::vector<PlanePoint> criticalPointsOf(const System& system) {
     std::vector<PlanePoint> points;
-    if (system.map().info.name == "planar") {
+    if (system.map().info.planarCoefficients) {
         auto polynomial = complexPolynomialOf(system.parameters());
         if (!polynomial) polynomial = complexPolynomialOf(conjugateOf(system.parameters()));
         if (polynomial) {

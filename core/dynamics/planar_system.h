@@ -2,7 +2,8 @@
 #pragma once
 // The planar quartic as algebra (A eqs 5-7): its text with the zero terms left out, the complex
 // polynomial that it is where the Cauchy-Riemann equations hold, and det J as a polynomial.
-// Coefficients are the 30 numbers of the map "planar" in its own order: g.a1 … g.xy3, h.a1 … h.xy3.
+// Coefficients are the 30 numbers of PlanarCoefficients (maps/planar.h): g.a1 … g.xy3, h.a1 …
+// h.xy3.
 
 #include <array>
 #include <complex>

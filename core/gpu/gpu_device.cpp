@@ -76,13 +76,13 @@ Status GpuDevice::prepare() {
     const std::string version = text(GL_VERSION);
     if (version.find("OpenGL ES 3") == std::string::npos &&
         version.find("WebGL 2") == std::string::npos) {
-        prepareStatus_ = Status::usage("the graphics processor offers \"" + version +
+        prepareStatus_ = Status::usage("the GPU offers \"" + version +
                                        "\", and OpenGL ES 3.0 is needed: the CPU draws");
         return prepareStatus_;
     }
     if (!hasExtension("EXT_color_buffer_float")) {
         prepareStatus_ = Status::usage(
-            "the graphics processor cannot draw into float textures (EXT_color_buffer_float): the "
+            "the GPU cannot draw into float textures (EXT_color_buffer_float): the "
             "CPU draws");
         return prepareStatus_;
     }

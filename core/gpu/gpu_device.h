@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The graphics processor as all pictures on it share it: the context's limits, the programs by
+// The GPU as all pictures on it share it: the context's limits, the programs by
 // their text, and the objects that every draw needs. OpenGL ES 3.0 with float render targets; a
 // context must be current whenever anything of this room is called, always on the same thread.
 //
@@ -23,7 +23,7 @@ struct GpuLimits {
     bool parallelCompile = false;  // KHR_parallel_shader_compile
     GLuint64 longestWait = 0;      // ns that a fence may be waited for; 0 in a browser
     std::string device;
-    // The driver computes on the processor, slower than the project's own kernels do.
+    // The driver computes on the CPU, slower than the project's own kernels do.
     bool software = false;
 };
 

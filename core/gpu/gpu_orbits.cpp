@@ -255,7 +255,7 @@ Expected<GpuOrbits> GpuOrbits::make(const Scene& scene, const OrbitProgram& prog
     }
     if (static_cast<int>(orbits.numbers.size() / 4 + orbits.shapeNumbers.size()) + kOtherUniforms >
         limits.uniformVectors)
-        return refused("it takes more numbers than the graphics processor has room for");
+        return refused("it takes more numbers than the GPU has room for");
     orbits.shaderText = std::move(shader.text);
     return orbits;
 }

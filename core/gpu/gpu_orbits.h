@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What the graphics processor takes of an OrbitProgram: the text of its program and the numbers
+// What the GPU takes of an OrbitProgram: the text of its program and the numbers
 // that go in beside it; or the reason why the CPU has to draw this one. Numbers there have 24 bits.
 
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace versorium {
 
-// Which fields the graphics processor measures; `why` says what keeps it from one.
+// Which fields the GPU measures; `why` says what keeps it from one.
 struct GpuField {
     FieldName field;
     bool carried;

@@ -243,7 +243,7 @@ bool GpuPicture::awaitUnit(double seconds, double target) {
     glDeleteSync(fence_);
     fence_ = nullptr;
     if (result == GL_WAIT_FAILED) {
-        status_ = Status::inputOutput("the graphics processor stopped answering");
+        status_ = Status::inputOutput("the GPU stopped answering");
         state_ = State::failed;
         return false;
     }

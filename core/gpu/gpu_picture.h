@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// A picture that the graphics processor iterates and colours, a little at a time: orbits are kept
+// A picture that the GPU iterates and colours, a little at a time: orbits are kept
 // in float textures between frames, so that a frame never waits for a picture. Values have 24 bits;
 // scenes that need more, or fields that are not carried, are refused with the reason, and the CPU
 // draws them. Row 0 of the texture is the top of the picture.
@@ -65,7 +65,7 @@ class GpuPicture {
     bool copyInto(GLuint texture);
 
     // What was measured, one value a sample (the versor: as many as a state has numbers). For tests
-    // and probes: it waits for the graphics processor.
+    // and probes: it waits for the GPU.
     Status readFields(const std::vector<FieldName>& fields, std::vector<Raster<float>>& rasters);
     Status readPicture(Raster<unsigned char>& rgba);
     // The picture drawn into few pixels, without smoothing: to see how bright it is where.

@@ -86,17 +86,6 @@ Status refused(const Assignment& assignment, const std::string& message) {
     return Status::usage("--set " + assignment.key + "=" + assignment.value + ": " + message);
 }
 
-Status unknownKey(const Scene& scene, const Assignment& assignment) {
-    std::string message = "the map \"" + scene.map + "\" has no such key";
-    const std::vector<std::string> near = nearestNames(scene, assignment.key);
-    for (std::size_t k = 0; k < near.size(); ++k)
-        message += (k == 0 ? "; did you mean " : k + 1 == near.size() ? " or " : ", ") + near[k];
-    return refused(
-        assignment,
-        message + (near.empty() ? "; its numbers are " + numberNames(scene) : std::string("?")) +
-            " (\"versorium values\" lists all)");
-}
-
 // Another map keeps what is no map's own: colours, images, aspect and samples.
 Status assignMap(Scene& scene, const Assignment& assignment) {
     Expected<Scene> chosen = sceneOfMap(assignment.value);
@@ -121,7 +110,7 @@ Expected<Json> readJsonFile(const std::string& path) {
 Json documentToJson(const Document& document) {
     Json json;
     json["document"] = kDocumentVersion;
-    json["kind"] = document.kind;
+    json["kind"] = std::string(wordOf(document.kind));
     json["render"] = document.render;
     json["body"] = document.body;
     if (!document.assets.empty()) json["assets"] = assetsToJson(document.assets);
@@ -132,9 +121,9 @@ Expected<Document> documentFromJson(const Json& json) {
     Document document;
     if (!json.is_object()) return Status::data("an object { … } is expected: a scene or a plate");
     if (!json.contains("document")) {
-        document.kind = json.contains("panels") ? "plate"
-                        : json.contains("keys") ? "animation"
-                                                : "scene";
+        document.kind = json.contains("panels") ? DocumentKind::plate
+                        : json.contains("keys") ? DocumentKind::animation
+                                                : DocumentKind::scene;
         document.body = json;
         if (Status status = moveAssets(document); !status.ok()) return status;
         return document;
@@ -145,7 +134,7 @@ Expected<Document> documentFromJson(const Json& json) {
     if (version > kDocumentVersion)
         return Status::data("document: version " + std::to_string(version) +
                             " is newer than this program; update it");
-    reader.word("kind", document.kind, {"scene", "plate", "animation"});
+    reader.word("kind", document.kind);
     if (const Json* render = reader.child("render")) document.render = *render;
     if (const Json* assets = reader.child("assets"))
         reader.fail(assetsFromJson(*assets, "assets", document.assets));
@@ -209,7 +198,9 @@ Status assign(Scene& scene, const Assignment& assignment) {
     const auto& [key, value] = assignment;
     if (key == "map" || key == "formula") return assignMap(scene, assignment);
     const std::optional<SceneProperty> property = propertyNamed(scene, key);
-    if (!property) return unknownKey(scene, assignment);
+    if (!property)
+        return refused(assignment,
+                       unknownValue(scene, key).message() + " (\"versorium values\" lists all)");
     if (scene.lists.contains(property->path) && !value.starts_with("{"))
         return assignList(scene.lists[property->path], value);
     if (property->path == "shape.source" || property->path == "modulation.alpha.shape" ||

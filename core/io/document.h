@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/json.h"
+#include "base/words.h"
 #include "scene/scene.h"
 
 namespace versorium {
@@ -17,9 +18,15 @@ namespace versorium {
 inline constexpr const char* kDocumentKeyword = "versorium";
 inline constexpr std::size_t kDocumentBytes = std::size_t{64} << 20;
 
+enum class DocumentKind { scene, plate, animation };
+template <>
+struct EnumWords<DocumentKind> {
+    static constexpr std::array<std::string_view, 3> table{"scene", "plate", "animation"};
+};
+
 struct Document {
-    std::string kind = "scene";  // or "plate", or "animation"
-    Json body;                   // one of these, without assets
+    DocumentKind kind = DocumentKind::scene;
+    Json body;  // one of these, without assets
     Assets assets;
     Json render = Json::object();  // the options that made the picture
 };

@@ -9,53 +9,19 @@
 #include <string_view>
 #include <vector>
 
-#include "lesson/condition.h"
 #include "lesson/markdown.h"
+#include "lesson/question.h"
 #include "workspace/workspace.h"
 
 namespace versorium {
 
 inline constexpr std::size_t kMostLessonSteps = 40;
 inline constexpr std::size_t kMostHints = 8;
-inline constexpr std::size_t kMostChoices = 8;
 inline constexpr std::size_t kMostControls = 64;
 // Of a title and of a choice, in characters: what a phone shows without a wall of text.
 inline constexpr std::size_t kTitleCharacters = 60, kChoiceCharacters = 140;
 // Of the prose of one step, in words.
 inline constexpr std::size_t kMostWords = 160;
-
-enum class AnswerKind { choice, number, point };
-
-// A prediction: it is committed to before anything is revealed.
-struct Question {
-    AnswerKind kind = AnswerKind::choice;
-    std::string prompt;
-    struct Choice {
-        std::string text;
-        bool right = false;
-        std::string meaning;  // what the answer would have meant
-    };
-    std::vector<Choice> choices;
-    // A number, or a point (x, y) of a view, is right within the tolerance.
-    double answer[2] = {};
-    double tolerance = 0;
-    // … or where this holds of x and y: a region.
-    std::optional<Condition> within;
-    int view = 0;  // of a point
-    // Points by their names, so that one can be answered in words.
-    struct Place {
-        std::string text;
-        double x = 0, y = 0;
-    };
-    std::vector<Place> places;
-    // What a number would have meant, by conditions on it: the first that holds.
-    struct Meaning {
-        Condition when;  // names "answer"; of a point "x" and "y"
-        std::string text;
-    };
-    std::vector<Meaning> meanings;
-    std::string praise;  // said of a right number or point
-};
 
 struct Goal {
     Condition when;
@@ -102,19 +68,8 @@ struct LessonHead {
     int minutes = 0;
     std::size_t steps = 0;
 };
+Expected<LessonHead> parseLessonHead(std::string_view text, const std::string& name);
 Expected<LessonHead> lessonHead(const std::string& id, const std::string& language);
-
-// The numbers of an answer, with decimal points, or with decimal commas where that is clear: "0,5",
-// "0,5; -0,25". Empty where they are none.
-std::vector<double> answerNumbers(const std::string& answer);
-
-// Whether an answer is right, and what it means: the text to say. ErrorKind::usage where it cannot
-// be an answer at all: an index of a choice from 1, a number, or two numbers.
-struct Judgement {
-    bool right = false;
-    std::string text;  // may be empty
-};
-Expected<Judgement> judge(const Question& question, const std::string& answer);
 
 // What is wrong with a lesson that can be read: goals that hold from the beginning or that their
 // solution does not reach, texts too long for a phone. Each with its line.

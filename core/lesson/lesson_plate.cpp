@@ -171,12 +171,12 @@ PlateDocument plateOfStep(const Lesson& lesson, std::size_t step, const Workspac
             document.plate.note += (said.size() > 1 ? ", " : "") + std::to_string(scene.iterations);
     if (std::optional<PlatePanel> strip = stripPanel(shown, document.plate))
         document.plate.panels.push_back(std::move(*strip));
-    // Where the numbers of a plane of starting points lie among the parameters.
+    // Where the numbers of the other views lie, where they can be marked.
     std::vector<PlatePanel>& panels = document.plate.panels;
     for (std::size_t k = 0; k < shown.views.size(); ++k)
-        if (!shown.maximised && showsParameters(shown.views[k]))
+        if (!shown.maximised && traitsOf(shown.views[k]).pins)
             for (std::size_t other = 0; other < shown.views.size(); ++other)
-                if (!showsParameters(shown.views[other]))
+                if (viewKind(shown.views[other]) != viewKind(shown.views[k]))
                     panels[k].marks.push_back({panels[other].name, ""});
     if (!shown.maximised) markPanels(shown, document.plate);
     return document;

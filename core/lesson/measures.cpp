@@ -12,6 +12,7 @@
 #include "math/elementary.h"
 #include "render/bind.h"
 #include "render/shape_profile.h"
+#include "scene/shape_controls.h"
 #include "shape/outline.h"
 
 namespace versorium {
@@ -51,7 +52,8 @@ Scene criticalScene(const Workspace& workspace) {
 
 const Scene* viewOfStarts(const Workspace& workspace) {
     for (const Scene& scene : workspace.views)
-        if (!showsParameters(scene) && scene.slice.axes.size() == 2) return &scene;
+        if (viewKind(scene) == ViewKind::startingPoints && scene.slice.axes.size() == 2)
+            return &scene;
     return nullptr;
 }
 
@@ -81,20 +83,17 @@ bool isComplex(const Scene& scene) { return mapOf(scene).info.algebra == Algebra
 // The distance field of a complex map, as the map looks into it: at z - shift.
 struct PlaneField {
     OrbitProgram program;
-    double shiftRe = 0, shiftIm = 0;
+    std::array<double, 4> shift;
 
-    double at(double x, double y) const { return program.field->at(x - shiftRe, y - shiftIm, 0.0); }
+    double at(double x, double y) const {
+        return program.field->at(x - shift[0], y - shift[1], 0.0);
+    }
 };
 std::optional<PlaneField> planeField(const Scene& scene) {
     if (!isComplex(scene) || !mapOf(scene).info.field) return {};
     std::optional<OrbitProgram> program = programNow(scene);
     if (!program || !program->field) return {};
-    PlaneField field{std::move(*program)};
-    if (const auto shift = scene.parameters.find("shift"); shift != scene.parameters.end()) {
-        field.shiftRe = shift->second[0];
-        field.shiftIm = shift->second[1];
-    }
-    return field;
+    return PlaneField{std::move(*program), shapeControls(scene).shift};
 }
 
 const EnsembleSpec* ensembleOf(const Workspace& workspace) {
@@ -258,8 +257,10 @@ double circlesThatEnd(const Workspace& workspace, CircleEnd end) {
 }
 
 double isCatalogue(const Workspace& workspace) {
-    const auto view = std::find_if(workspace.views.begin(), workspace.views.end(), showsParameters);
-    if (view == workspace.views.end() || view->slice.axes.size() != 2) return kUnknown;
+    const int at = firstOfKind(workspace, ViewKind::parameters);
+    if (at < 0) return kUnknown;
+    const Scene* view = &workspace.views[static_cast<std::size_t>(at)];
+    if (view->slice.axes.size() != 2) return kUnknown;
     const std::optional<OrbitProgram> program = programNow(*view);
     if (!program) return kUnknown;
     const double half = view->slice.height / 2;

@@ -5,7 +5,7 @@
 //
 //   iterations, escape_radius       N and R of the first view
 //   orbit_at, orbit_steps           the marked step of the orbit, and how many are drawn
-//   height, center.x, center.y      of the marked view
+//   height, center.x, center.y      of the focused view
 //   escapes                         1 where the orbit of the starting point leaves the circle R
 //                                   within N steps, else 0
 //   escape_step                     the step at which it does; N where it does not

@@ -9,6 +9,8 @@
 #include <optional>
 
 #include "base/text.h"
+#include "scene/properties.h"
+#include "workspace/workspace_properties.h"
 
 namespace versorium {
 namespace {
@@ -77,6 +79,29 @@ Json suited(Json value, const Json& present) {
     return value;
 }
 
+// What the key names, and its value with that change: a property by its path, else a member of one
+// ("lists.roots.scale").
+template <class Owner>
+std::optional<std::pair<Property<Owner>, Json>> changeOf(const Owner& owner,
+                                                         const PropertyTable<Owner>& table,
+                                                         const std::string& key,
+                                                         const std::string& value) {
+    for (std::size_t end = key.size(); end != std::string::npos && end > 0;
+         end = key.rfind('.', end - 1)) {
+        const auto property =
+            std::find_if(table.begin(), table.end(), [&](const Property<Owner>& one) {
+                return std::string_view(one.path) == std::string_view(key).substr(0, end);
+            });
+        if (property == table.end()) continue;
+        Json whole = property->get(owner);
+        Json* member = end == key.size() ? &whole : memberAt(whole, key.substr(end + 1));
+        if (!member) return std::nullopt;
+        *member = suited(valueOf(value), *member);
+        return std::pair{*property, std::move(whole)};
+    }
+    return std::nullopt;
+}
+
 class Change {
   public:
     explicit Change(const Workspace& before) : now_(before) {}
@@ -108,7 +133,7 @@ class Change {
         if (key == "views") return setViews(value);
         if (key == "point") return setPoint(value);
         if (key == "circle") return addCircle(value);
-        if (key == "roots" || key == "poles") return setList(key, value);
+        if (isList(key)) return setList(key, value);
         if (key == "pin") {
             if (value == "none")
                 now_.pins.clear();
@@ -141,9 +166,16 @@ class Change {
             setSharedNumber(now_, key, numbers[0]);
             return {};
         }
-        if (Json scene = sceneToJson(now_.views[0]); memberAt(scene, key))
+        if (changeOf(now_.views[0], propertiesOf(now_.views[0]), key, value))
             return changeScenes(key, value, allViews());
         return changeWorkspace(key, value);
+    }
+
+    // Of any map: it is told that this one has no such list.
+    static bool isList(const std::string& name) {
+        return findMapWhere([&](const MapInfo& info) {
+            return std::find(info.lists.begin(), info.lists.end(), name) != info.lists.end();
+        });
     }
 
     std::vector<std::size_t> allViews() const {
@@ -174,12 +206,12 @@ class Change {
         const Scene like = now_.views[now_.speaker()];
         if (value == "both") {
             setViewCount(now_, 2);
-            now_.views[0] = parameterView(like);
-            now_.views[1] = dynamicalView(like);
-        } else if (value == "parameters" || value == "starts") {
+            now_.views[0] = homeView(ViewKind::parameters, like);
+            now_.views[1] = homeView(ViewKind::startingPoints, like);
+        } else if (const auto kind = fromWord<ViewKind>(value)) {
             now_.focused = 0;
             setViewCount(now_, 1);
-            now_.views[0] = value == "starts" ? dynamicalView(like) : parameterView(like);
+            now_.views[0] = homeView(*kind, like);
         } else if (value == "1" || value == "2" || value == "4") {
             setViewCount(now_, value[0] - '0');
         } else {
@@ -240,31 +272,23 @@ class Change {
                         const std::vector<std::size_t>& views) {
         for (const std::size_t k : views) {
             Scene& scene = now_.views[k];
-            Json json = sceneToJson(scene);
-            Json* member = memberAt(json, key);
-            if (!member) return Status::data("a scene has no such key");
-            *member = suited(valueOf(value), *member);
-            Expected<Scene> read = sceneFromJson(json);
-            if (!read) return read.status();
-            scene = std::move(*read);
+            const auto change = changeOf(scene, propertiesOf(scene), key, value);
+            if (!change) return unknownValue(scene, key);
+            if (Status status = setProperty(scene, change->first, change->second); !status.ok())
+                return status;
         }
         return {};
     }
 
     Status changeWorkspace(const std::string& key, const std::string& value) {
-        Json json = workspaceToJson(now_);
-        Json* at = &json;
-        std::size_t begin = 0;
-        for (std::size_t dot = key.find('.'); dot != std::string::npos;
-             dot = key.find('.', begin)) {
-            at = &(*at)[key.substr(begin, dot - begin)];
-            if (!at->is_null() && !at->is_object()) return Status::data("there is no such key");
-            begin = dot + 1;
-        }
-        (*at)[key.substr(begin)] = valueOf(value);
-        Expected<Workspace> read = workspaceFromJson(json);
-        if (!read) return read.status();
-        now_ = std::move(*read);
+        const auto change = changeOf(now_, propertiesOf(now_), key, value);
+        if (!change) return unknownValue(now_.views[0], key);
+        Workspace next = now_;
+        const auto& [property, json] = *change;
+        if (Status status = property.set(next, json, property.path); !status.ok()) return status;
+        if (next.orbitAt > next.orbitSteps)
+            return Status::data("must be at most orbit_steps").in("orbit_at");
+        now_ = std::move(next);
         return {};
     }
 };
@@ -286,6 +310,22 @@ std::vector<double> numbersOf(const std::string& text) {
         begin = end + 1;
     }
     return numbers;
+}
+
+std::string atLine(int line) { return "line " + std::to_string(line) + ": "; }
+
+std::vector<std::string> splitWords(const std::string& text) {
+    std::vector<std::string> words;
+    std::string word;
+    for (const char c : text + " ") {
+        if (c != ' ' && c != ',' && c != '\n' && c != '\r' && c != '\t') {
+            word += c;
+        } else if (!word.empty()) {
+            words.push_back(word);
+            word.clear();
+        }
+    }
+    return words;
 }
 
 Expected<std::vector<StageLine>> readLines(const std::string& text, int firstLine) {

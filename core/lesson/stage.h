@@ -36,6 +36,11 @@ struct StageLine {
 // "key: value" lines; blank ones and those that begin with # are left out.
 Expected<std::vector<StageLine>> readLines(const std::string& text, int firstLine);
 
+// "line 3: ", before what is wrong with it.
+std::string atLine(int line);
+// What stands between blanks, commas and ends of lines.
+std::vector<std::string> splitWords(const std::string& text);
+
 // ErrorKind::data names the line.
 Expected<Workspace> changed(const Workspace& before, const std::vector<StageLine>& lines);
 

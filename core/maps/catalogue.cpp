@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "maps/catalogue.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -148,6 +149,22 @@ const MapKernels* findMap(std::string_view name) {
     for (const MapKernels& map : catalogue())
         if (map.info.name == name) return &map;
     return nullptr;
+}
+
+const MapKernels* sumOrProductOf(const MapInfo& info) {
+    const bool sum = info.rootForm == RootForm::sum;
+    if (!sum && info.rootForm != RootForm::product) return nullptr;
+    const auto sameName = [](const ParameterInfo& a, const ParameterInfo& b) {
+        return a.name == b.name;
+    };
+    return findMapWhere([&](const MapInfo& other) {
+        return other.rootForm == (sum ? RootForm::product : RootForm::sum) &&
+               other.algebra == info.algebra && other.field == info.field &&
+               std::equal(other.lists.begin(), other.lists.end(), info.lists.begin(),
+                          info.lists.end()) &&
+               std::equal(other.parameters.begin(), other.parameters.end(), info.parameters.begin(),
+                          info.parameters.end(), sameName);
+    });
 }
 
 std::span<const KernelTarget> kernelTargets() {

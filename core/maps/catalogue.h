@@ -65,6 +65,16 @@ struct MapKernels {
 std::span<const MapKernels> catalogue();
 // Null when no map has this name.
 const MapKernels* findMap(std::string_view name);
+// The first map that `wanted(info)` is true of; null where there is none.
+template <class Wanted>
+const MapKernels* findMapWhere(Wanted wanted) {
+    for (const MapKernels& map : catalogue())
+        if (wanted(map.info)) return &map;
+    return nullptr;
+}
+// The map with the same parameters and lists that takes the sum over roots and poles where this one
+// takes the product, or the product where it takes the sum; null where there is none.
+const MapKernels* sumOrProductOf(const MapInfo& info);
 
 // The kernel tables that this processor can run, narrowest first.
 std::span<const KernelTarget> kernelTargets();

@@ -146,11 +146,12 @@ std::vector<Complex<double>> criticalStarts(const MapKernels& map, const double*
     if (map.formula) return polynomialStarts(map.formula->slope(parameters));
     std::vector<Factor> factors;
     std::vector<C> all;
-    if (map.info.name == "newton") {
+    const RootForm form = map.info.rootForm;
+    if (form == RootForm::newton) {
         append(environment, 0, 1, factors);
         if (factors.empty() || factors.size() > kMostSolvedRoots) return {};
         all = newtonStarts({parameters[0], parameters[1]}, factors);
-    } else if (map.info.name == "complex-rational") {
+    } else if (form == RootForm::product) {
         append(environment, 0, parameters[1], factors);
         append(environment, 1, -parameters[2], factors);
         std::erase_if(factors, [](const Factor& factor) { return factor.exponent == 0; });
@@ -158,7 +159,7 @@ std::vector<Complex<double>> criticalStarts(const MapKernels& map, const double*
         all = rationalStarts(factors);
     }
     // Simple roots are critical points of Newton's map as well.
-    if (map.info.name == "newton")
+    if (form == RootForm::newton)
         for (const Factor& factor : factors) all.push_back(factor.root);
     return all;
 }

@@ -5,6 +5,7 @@
 #include <deque>
 #include <mutex>
 
+#include "maps/complex_polynomials.h"
 #include "maps/critical.h"
 #include "maps/formula_shape.h"
 #include "maps/formula_step.h"
@@ -158,8 +159,17 @@ void FormulaMap::describe() {
                                .help = {}});
     if (formula_.shape) {
         const auto own = shapeParameters(formula_.space);
-        for (std::size_t k = 0; k < own.size(); ++k) parameters_[k].help = own[k].help;
+        for (std::size_t k = 0; k < own.size(); ++k) {
+            parameters_[k].help = own[k].help;
+            parameters_[k].ofView = own[k].ofView;
+        }
     }
+    // What the catalogue has a letter for is shown by this letter.
+    for (ParameterInfo& parameter : parameters_)
+        for (const MapKernels& map : catalogue())
+            if (const ParameterInfo* known = findParameter(map.info, parameter.name);
+                known && parameter.label.empty())
+                parameter.label = known->label;
     info_ = {.name = kFormulaName,
              .title = "Typed formula",
              .formula = formula_.body,
@@ -175,6 +185,15 @@ void FormulaMap::describe() {
                            : formula_.degree >= 2 ? 4.0
                                                   : 6.0,
              .source = "typed by you"};
+    // The exponent of the catalogue's family goes by this name in formulas as well.
+    if (const ParameterInfo* power = findParameter(info_, Power::info.degreeParameter))
+        info_.degreeParameter = power->name;
+    // A family of the catalogue that is typed is still that family.
+    for (const MapKernels& map : catalogue())
+        if (map.info.formula == info_.formula && map.info.algebra == info_.algebra) {
+            info_.polynomial = map.info.polynomial;
+            info_.parameterCentre = map.info.parameterCentre;
+        }
     const int dimension = dimensionOf(formula_.space);
     kernels_ = rowOfDimension(dimension, info_, this, code_, !formula_.shape);
     if (dimension != 2 || formula_.shape) return;

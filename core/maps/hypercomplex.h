@@ -16,11 +16,13 @@ struct QuaternionQuadratic {
                                                      .low = -2,
                                                      .high = 2,
                                                      .help = "added constant"}};
+    static constexpr std::string_view kPolynomial[] = {"c", "", "1"};
     static constexpr MapInfo info{.name = "quaternion-quadratic",
                                   .title = "Quaternion quadratic family",
                                   .formula = "q^2 + c",
                                   .algebra = Algebra::quaternion,
                                   .parameters = kParameters,
+                                  .polynomial = kPolynomial,
                                   .conjugation = true,
                                   .homeHeight = 3.2,
                                   .source = "Q eq 1, K"};
@@ -48,11 +50,13 @@ struct QuaternionCubic {
          .low = -2,
          .high = 2,
          .help = "added constant"}};
+    static constexpr std::string_view kPolynomial[] = {"c", "", "", "1"};
     static constexpr MapInfo info{.name = "quaternion-cubic",
                                   .title = "Quaternion cubic family",
                                   .formula = "q^3 + c",
                                   .algebra = Algebra::quaternion,
                                   .parameters = kParameters,
+                                  .polynomial = kPolynomial,
                                   .degree = 3,
                                   .conjugation = true,
                                   .homeHeight = 3,

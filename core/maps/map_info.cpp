@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "maps/map_info.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace versorium {
@@ -64,6 +65,13 @@ std::string parameterComponent(const MapInfo& info, int index) {
     }
     assert(false);
     return {};
+}
+
+const ParameterInfo* findParameter(const MapInfo& info, std::string_view name) {
+    const auto found =
+        std::find_if(info.parameters.begin(), info.parameters.end(),
+                     [&](const ParameterInfo& parameter) { return parameter.name == name; });
+    return found == info.parameters.end() ? nullptr : &*found;
 }
 
 }  // namespace versorium

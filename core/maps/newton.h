@@ -18,12 +18,18 @@ struct Newton {
                                                      .high = 2,
                                                      .help = "factor of the Newton step"}};
     static constexpr std::string_view kLists[] = {"roots"};
+    static constexpr double kHalfRootOf3 = 0.8660254037844386;
+    // p(z) = z³ - 1.
+    static constexpr RootList::Root kUnityRoots[] = {
+        {{1, 0, 0, 0}, 1}, {{-0.5, kHalfRootOf3, 0, 0}, 1}, {{-0.5, -kHalfRootOf3, 0, 0}, 1}};
     static constexpr MapInfo info{.name = "newton",
                                   .title = "Newton's map",
                                   .formula = "z - a p(z)/p'(z)",
                                   .algebra = Algebra::complex,
                                   .parameters = kParameters,
                                   .lists = kLists,
+                                  .homeRoots = kUnityRoots,
+                                  .rootForm = RootForm::newton,
                                   .escapeRadius = kNoEscape,
                                   .degree = 1,
                                   .homeHeight = 4,

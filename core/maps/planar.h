@@ -136,13 +136,18 @@ struct Planar {
         VERSORIUM_COEFFICIENT("h.c4", 0),        VERSORIUM_COEFFICIENT("h.d", 0.744862),
         VERSORIUM_COEFFICIENT("h.x3y", 0),       VERSORIUM_COEFFICIENT("h.xy3", 0)};
 #undef VERSORIUM_COEFFICIENT
+    // Whatever the family, the constant terms are varied.
+    static constexpr std::string_view kConstants[] = {kParameters[planar::d].name,
+                                                      kParameters[15 + planar::d].name};
     static constexpr MapInfo info{.name = "planar",
                                   .title = "Planar polynomial system",
                                   .formula = "(g(x, y), h(x, y)) of degree 4",
                                   .algebra = Algebra::plane,
                                   .parameters = kParameters,
+                                  .planarCoefficients = true,
                                   .escapeRadius = 4,
                                   .homeHeight = 3.2,
+                                  .parameterAxes = kConstants,
                                   .source = "A eqs 5-6"};
     using Forms = std::tuple<PlanarHenonForm, PlanarQuadraticForm, PlanarQuarticForm>;
 

@@ -15,13 +15,16 @@ struct Quadratic {
                                                      .low = -2,
                                                      .high = 2,
                                                      .help = "added constant"}};
+    static constexpr std::string_view kPolynomial[] = {"c", "", "1"};
     static constexpr MapInfo info{.name = "quadratic",
                                   .title = "Quadratic family",
                                   .formula = "z^2 + c",
                                   .algebra = Algebra::complex,
                                   .parameters = kParameters,
+                                  .polynomial = kPolynomial,
                                   .conjugation = true,
                                   .homeHeight = 3.2,
+                                  .parameterCentre = {-0.65, 0},
                                   .source = "S 2.2, A eq 7"};
     template <class R>
     static Complex<R> step(Complex<R> z, Complex<R> c) {

@@ -63,20 +63,32 @@ Z productDirection(const Z& q, const List& list, const R& scale) {
     });
 }
 
+inline constexpr ParameterInfo kLogScale{.name = "log_scale",
+                                         .value = {0},
+                                         .low = -5,
+                                         .high = 5,
+                                         .help = "C, log of the factor",
+                                         .label = "log scale"};
+
 }  // namespace rational
 
 // Z is Complex or Quaternion.
 template <template <class> class Z>
 struct Rational {
     static constexpr bool kComplex = Z<double>::kDimension == 2;
-    static constexpr ParameterInfo kParameters[] = {
-        {.name = "log_scale", .value = {0}, .low = -5, .high = 5, .help = "C, log of the factor"},
-        {.name = "tau", .value = {1}, .low = 0, .high = 4, .help = "factor of the roots' powers"},
-        {.name = "exponent_beta",
-         .value = {1},
-         .low = 0,
-         .high = 4,
-         .help = "factor of the poles' powers"}};
+    static constexpr ParameterInfo kParameters[] = {rational::kLogScale,
+                                                    {.name = "tau",
+                                                     .value = {1},
+                                                     .low = 0,
+                                                     .high = 4,
+                                                     .help = "factor of the roots' powers",
+                                                     .label = "τ"},
+                                                    {.name = "exponent_beta",
+                                                     .value = {1},
+                                                     .low = 0,
+                                                     .high = 4,
+                                                     .help = "factor of the poles' powers",
+                                                     .label = "exponent β"}};
     static constexpr std::string_view kLists[] = {"roots", "poles"};
     static constexpr MapInfo info{
         .name = kComplex ? "complex-rational" : "quaternion-rational",
@@ -86,6 +98,7 @@ struct Rational {
         .algebra = kComplex ? Algebra::complex : Algebra::quaternion,
         .parameters = kParameters,
         .lists = kLists,
+        .rootForm = RootForm::product,
         .escapeRadius = 20,
         .degree = 3,
         .homeHeight = 3,
@@ -110,9 +123,13 @@ struct Rational {
 // Q eq 19: the i-th root with τ Tᵢ, then the i-th pole with β Bᵢ. The list "factors" holds them in
 // turn, poles with negative powers.
 struct QuaternionInterleaved {
-    static constexpr ParameterInfo kParameters[] = {
-        {.name = "log_scale", .value = {0}, .low = -5, .high = 5, .help = "C, log of the factor"},
-        {.name = "tau", .value = {1}, .low = 0, .high = 4, .help = "factor of all powers"}};
+    static constexpr ParameterInfo kParameters[] = {rational::kLogScale,
+                                                    {.name = "tau",
+                                                     .value = {1},
+                                                     .low = 0,
+                                                     .high = 4,
+                                                     .help = "factor of all powers",
+                                                     .label = "τ"}};
     static constexpr std::string_view kLists[] = {"factors"};
     static constexpr MapInfo info{.name = "quaternion-interleaved",
                                   .title = "Quaternion rational map, roots and poles in turn",

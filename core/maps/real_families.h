@@ -19,6 +19,7 @@ struct Logistic {
                                   .escapeRadius = 16,
                                   .homeCentre = {0.5, 0},
                                   .homeHeight = 1.2,
+                                  .interval = {0, 1},
                                   .source = "teaching"};
     template <class R>
     static Line<R> step(Line<R> x, R r) {

@@ -45,6 +45,7 @@ struct RootSum {
         .algebra = kComplex ? Algebra::complex : Algebra::quaternion,
         .parameters = kParameters,
         .lists = Rational<Z>::kLists,
+        .rootForm = RootForm::sum,
         .escapeRadius = 20,
         .degree = 3,
         .homeHeight = 3,

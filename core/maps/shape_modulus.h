@@ -18,15 +18,28 @@ namespace shape_modulus {
 inline constexpr double kLargestExponent = 300;
 inline constexpr double kEscapeRadius = 20, kHomeHeight = 1.2;
 
-inline constexpr ParameterInfo kOwn[] = {
-    {.name = "alpha", .value = {8}, .low = 0, .high = 100, .help = "thinness of the shell"},
-    {.name = "beta", .value = {0}, .low = -0.5, .high = 0.5, .help = "offset of the surface"},
-    {.name = "as_printed",
-     .kind = ParameterKind::whole,
-     .value = {0},
-     .low = 0,
-     .high = 1,
-     .help = "1: the sign of beta as S eq 2 prints it"}};
+// Their names are those of scene/shape_controls.h.
+inline constexpr ParameterInfo kOwn[] = {{.name = "alpha",
+                                          .value = {8},
+                                          .low = 0,
+                                          .high = 100,
+                                          .help = "thinness of the shell",
+                                          .label = "α"},
+                                         {.name = "beta",
+                                          .value = {0},
+                                          .low = -0.5,
+                                          .high = 0.5,
+                                          .help = "offset of the surface",
+                                          .label = "β"},
+                                         // Two views show S eq 2 as it is meant and as printed.
+                                         {.name = "as_printed",
+                                          .kind = ParameterKind::whole,
+                                          .value = {0},
+                                          .low = 0,
+                                          .high = 1,
+                                          .help = "1: the sign of beta as S eq 2 prints it",
+                                          .label = "φ + β (print)",
+                                          .ofView = true}};
 
 // The map's own parameters; only quaternions have a component to leave out.
 template <class R, class State>
@@ -158,7 +171,9 @@ struct ShapeModulus {
                                   .algebra = Inner::info.algebra,
                                   .parameters = kParameters,
                                   .lists = Inner::info.lists,
+                                  .rootForm = Inner::info.rootForm,
                                   .field = true,
+                                  .degreeParameter = Inner::info.degreeParameter,
                                   .escapeRadius = shape_modulus::kEscapeRadius,
                                   .homeHeight = shape_modulus::kHomeHeight,
                                   .source = "S eqs 2-3"};

@@ -17,7 +17,9 @@ constexpr std::string_view kPlates = "plates/";
 std::vector<std::string> plateNames() { return embeddedJsonNames(kPlates); }
 
 Expected<PlateDocument> plateFromDocument(const Document& document) {
-    if (document.kind != "plate") return Status::data("a plate is expected, and this is a scene");
+    if (document.kind != DocumentKind::plate)
+        return Status::data("a plate is expected, and this is a " +
+                            std::string(wordOf(document.kind)));
     Expected<Plate> plate = plateFromJson(document.body, document.assets);
     if (!plate) return plate.status();
     PlateDocument result{std::move(*plate), {}};
@@ -44,7 +46,7 @@ Expected<PlateDocument> plateNamed(const std::string& name) {
 
 Document documentOfPlate(const PlateDocument& document) {
     Document carried;
-    carried.kind = "plate";
+    carried.kind = DocumentKind::plate;
     carried.body = plateToJson(document.plate);
     for (const PlatePanel& panel : document.plate.panels)
         if (panel.hasScene()) addAssets(panel.scene, carried.assets);

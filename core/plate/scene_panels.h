@@ -6,6 +6,7 @@
 
 #include "i18n/language.h"
 #include "plate/plate.h"
+#include "plate/scene_words.h"
 #include "render/cpu/cpu_renderer.h"
 
 namespace versorium {
@@ -27,7 +28,5 @@ Expected<std::array<double, 2>> locateScene(const Scene& scene, const Scene& oth
 Expected<std::vector<OverlayPart>> overlayOf(CpuRenderer& renderer, const Scene& scene,
                                              const PlateOverlay& overlay, const Words& words,
                                              Job& job);
-// A sentence about the picture, plain text: map, parameters, plane, rule of colour.
-std::string sceneSentence(const Scene& scene, const Words& words);
 
 }  // namespace versorium

@@ -216,22 +216,22 @@ Trap trapOf(const TrapSpec& spec) {
 
 double automaticRadius(const Scene& scene) {
     const MapInfo& info = mapOf(scene).info;
-    const bool typed = scene.formula && (info.formula == "z^2 + c" || info.formula == "q^2 + c");
-    const bool quadratic = typed || info.name == "quadratic" || info.name == "quaternion-quadratic";
-    if (!quadratic) return info.escapeRadius;
+    const std::string constant(quadraticConstant(info));
+    if (constant.empty()) return info.escapeRadius;
+    const std::string component = constant + ".";
     for (const SliceAxis& axis : scene.slice.axes)
         for (const auto& [name, weight] : axis.terms)
-            if (name.starts_with("c.")) return info.escapeRadius;
+            if (name.starts_with(component)) return info.escapeRadius;
     double square = 0;
-    for (double part : scene.parameters.at("c")) square = square + part * part;
+    for (double part : scene.parameters.at(constant)) square = square + part * part;
     // The radius is one for all members of an ensemble.
     for (const EnsembleRange& range : scene.ensemble.ranges) {
         const double most = std::max(std::abs(range.from), std::abs(range.to));
-        if (range.name.starts_with("c.")) square = square + most * most;
+        if (range.name.starts_with(component)) square = square + most * most;
     }
     for (const EnsembleDisc& disc : scene.ensemble.discs) {
         const double most = std::abs(disc.centreRe) + std::abs(disc.centreIm) + disc.radius;
-        if (disc.name == "c") square = std::max(square, most * most);
+        if (disc.name == constant) square = std::max(square, most * most);
     }
     return std::max(info.escapeRadius, (1 + std::sqrt(1 + 4 * std::sqrt(square))) / 2);
 }
@@ -361,8 +361,8 @@ Expected<OrbitProgram> Binder::bind(const Scene& scene, Job& job) {
     program.onlyLastTested = scene.escapeTest == EscapeTest::last;
     program.iso = scene.iso;
     program.degree = map.info.degree;
-    if (const auto power = scene.parameters.find("power"); power != scene.parameters.end())
-        program.degree = power->second[0];
+    if (!map.info.degreeParameter.empty())
+        program.degree = scene.parameters.at(std::string(map.info.degreeParameter))[0];
     program.trap = trapOf(scene.trap);
     return program;
 }

@@ -26,8 +26,9 @@ Expected<Movie> animationNamed(const std::string& name) {
 }
 
 Expected<Movie> movieFromDocument(const Document& document) {
-    if (document.kind != "animation")
-        return Status::data("an animation is expected, and this is a " + document.kind);
+    if (document.kind != DocumentKind::animation)
+        return Status::data("an animation is expected, and this is a " +
+                            std::string(wordOf(document.kind)));
     Expected<Animation> animation = animationFromJson(document.body);
     if (!animation) return animation.status();
     takeAssets(animation->scene, document.assets);
@@ -38,7 +39,7 @@ Expected<Movie> movieFromDocument(const Document& document) {
 
 Document documentOfMovie(const Movie& movie) {
     Document document = pictureDocument(movie.animation.scene, movie.options);
-    document.kind = "animation";
+    document.kind = DocumentKind::animation;
     Animation bare = movie.animation;
     bare.scene.assets.clear();
     document.body = animationToJson(bare);

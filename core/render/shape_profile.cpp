@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/shape_controls.h"
 #include "shape/bounds.h"
 
 namespace versorium {
@@ -11,16 +12,12 @@ namespace versorium {
 RadialOptions radialOptions(const Scene& scene, double escapeRadius) {
     RadialOptions options;
     options.dimensions = mapOf(scene).info.algebra == Algebra::complex ? 2 : 3;
-    options.alpha = scene.parameters.at("alpha")[0];
-    options.beta = scene.parameters.at("beta")[0];
-    options.asPrinted = scene.parameters.at("as_printed")[0] != 0;
+    const ShapeControls controls = shapeControls(scene);
+    options.alpha = controls.alpha;
+    options.beta = controls.beta;
+    options.asPrinted = controls.asPrinted;
     options.escapeRadius = escapeRadius;
-    const std::vector<double>& shift = scene.parameters.at("shift");
-    const auto drop = scene.parameters.find("drop");
-    const double dropped = drop == scene.parameters.end() ? 3 : drop->second[0];
-    std::size_t next = 0;
-    for (std::size_t k = 0; k < shift.size() && next < 3; ++k)
-        if (static_cast<double>(k) != dropped) options.shift[next++] = shift[k];
+    options.shift = controls.seenShift();
     return options;
 }
 

@@ -40,12 +40,12 @@ std::optional<NumberRef> listNumber(const Scene& scene, const std::string& name)
 }
 
 // The parameter that holds the flat component, and the place inside of it.
-std::pair<std::string, std::size_t> parameterAt(const MapInfo& info, int index) {
-    for (const ParameterInfo& parameter : info.parameters) {
-        if (index < widthOf(parameter.kind))
-            return {std::string(parameter.name), static_cast<std::size_t>(index)};
+std::pair<const ParameterInfo*, std::size_t> parameterAt(const Scene& scene, int index) {
+    for (const ParameterInfo& parameter : mapOf(scene).info.parameters) {
+        if (index < widthOf(parameter.kind)) return {&parameter, static_cast<std::size_t>(index)};
         index -= widthOf(parameter.kind);
     }
+    assert(false);
     return {};
 }
 
@@ -66,8 +66,8 @@ double numberValue(const Scene& scene, const NumberRef& number) {
     if (number.kind == NumberKind::state)
         return scene.start[static_cast<std::size_t>(number.index)];
     if (number.kind == NumberKind::parameter) {
-        const auto [name, at] = parameterAt(mapOf(scene).info, number.index);
-        return scene.parameters.at(name)[at];
+        const auto [parameter, at] = parameterAt(scene, number.index);
+        return scene.parameters.at(std::string(parameter->name))[at];
     }
     const RootList::Root& root =
         scene.lists.at(number.list).roots[static_cast<std::size_t>(number.item)];
@@ -78,14 +78,18 @@ void setNumber(Scene& scene, const NumberRef& number, double value) {
     if (number.kind == NumberKind::state) {
         scene.start[static_cast<std::size_t>(number.index)] = value;
     } else if (number.kind == NumberKind::parameter) {
-        const auto [name, at] = parameterAt(mapOf(scene).info, number.index);
-        scene.parameters.at(name)[at] = value;
+        const auto [parameter, at] = parameterAt(scene, number.index);
+        scene.parameters.at(std::string(parameter->name))[at] = value;
     } else {
         RootList::Root& root =
             scene.lists.at(number.list).roots[static_cast<std::size_t>(number.item)];
         (number.component == 4 ? root.power : root.q[static_cast<std::size_t>(number.component)]) =
             value;
     }
+}
+
+bool isOfView(const Scene& scene, const NumberRef& number) {
+    return number.kind == NumberKind::parameter && parameterAt(scene, number.index).first->ofView;
 }
 
 bool isOnAxis(const SliceSpec& slice, const std::string& name) {

@@ -24,6 +24,8 @@ std::optional<NumberRef> numberNamed(const Scene& scene, const std::string& name
 // Its value in the scene, whatever the slice.
 double numberValue(const Scene& scene, const NumberRef& number);
 void setNumber(Scene& scene, const NumberRef& number, double value);
+// Whether views that share their numbers have each their own value of it.
+bool isOfView(const Scene& scene, const NumberRef& number);
 // Whether a number varies along an axis of a slice.
 bool isOnAxis(const SliceSpec& slice, const std::string& name);
 // All names for error messages, lists abbreviated.

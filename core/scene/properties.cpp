@@ -303,6 +303,17 @@ Json defaultOf(const Scene& scene, const SceneProperty& property) {
     return property.home ? *property.home : Json();
 }
 
+Status unknownValue(const Scene& scene, const std::string& name) {
+    const std::vector<std::string> near = nearestNames(scene, name);
+    if (near.empty())
+        return Status::data("the map \"" + scene.map + "\" has no such key; its numbers are " +
+                            numberNames(scene));
+    std::string all = near[0];
+    for (std::size_t k = 1; k < near.size(); ++k)
+        all += (k + 1 == near.size() ? " or " : ", ") + near[k];
+    return Status::data("the map \"" + scene.map + "\" has no such key; did you mean " + all + "?");
+}
+
 Status setProperty(Scene& scene, const SceneProperty& property, const Json& value) {
     Scene next = scene;
     if (Status status = property.set(next, value, property.path); !status.ok()) return status;

@@ -30,6 +30,8 @@ SceneProperties shownProperties(const Scene& scene, const std::string& group);
 std::optional<SceneProperty> propertyNamed(const Scene& scene, const std::string& name);
 // At most three names that look like this one, nearest first: for "did you mean".
 std::vector<std::string> nearestNames(const Scene& scene, const std::string& name);
+// That there is no such value, and what may have been meant.
+Status unknownValue(const Scene& scene, const std::string& name);
 
 // What the value is in a new scene of the same map.
 Json defaultOf(const Scene& scene, const SceneProperty& property);
@@ -46,6 +48,7 @@ const PropertyTable<TrapSpec>& trapTable();
 const PropertyTable<ShapeSpec>& shapeTable();
 const PropertyTable<SliceSpec>& sliceTable();
 const PropertyTable<EnsembleSpec>& ensembleTable();
+const PropertyTable<EnsembleRoots>& ensembleRootsTable();
 const PropertyTable<ModulationSpec>& modulationTable();
 // Parameters, the starting point and lists of roots, which depend on the map.
 SceneProperty parametersProperty();

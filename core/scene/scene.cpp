@@ -9,19 +9,9 @@ namespace {
 
 constexpr std::string_view kPresets = "presets/";
 
-// Four roots on the unit circle for Newton's map, a few spread ones for the others.
-RootList defaultRoots(const MapInfo& info, std::string_view list) {
-    if (list == "poles") return {};
-    if (info.name == "newton")
-        return {{{{1, 0, 0, 0}, 1},
-                 {{-0.5, 0.8660254037844386, 0, 0}, 1},
-                 {{-0.5, -0.8660254037844386, 0, 0}, 1}},
-                1};
-    return {{{{0, 0, 0, 0}, 2},
-             {{0.45, 0.3, 0.1, 0}, 1},
-             {{-0.4, 0.35, -0.2, 0}, 1},
-             {{-0.1, -0.5, 0.3, 0}, 1}},
-            1};
+RootList homeList(const MapInfo& info, std::string_view list) {
+    if (list != info.lists[0]) return {};
+    return {{info.homeRoots.begin(), info.homeRoots.end()}, 1};
 }
 
 }  // namespace
@@ -42,7 +32,7 @@ Scene sceneOf(const MapKernels& map) {
             parameter.value.begin(), parameter.value.begin() + widthOf(parameter.kind));
     scene.start.assign(static_cast<std::size_t>(map.dimension), 0.0);
     for (std::string_view list : map.info.lists)
-        scene.lists[std::string(list)] = defaultRoots(map.info, list);
+        scene.lists[std::string(list)] = homeList(map.info, list);
     const int axes = map.dimension == 1 ? 1 : 2;
     for (int k = 0; k < axes; ++k) {
         scene.slice.axes.push_back({{{stateComponent(map.info, k), 1.0}}});

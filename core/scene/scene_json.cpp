@@ -15,7 +15,7 @@ Expected<Scene> sceneFromJson(const Json& value) {
         return Status::data("versorium: version " + std::to_string(version) +
                             " is newer than this program, which reads up to " +
                             std::to_string(Scene::kVersion) + "; update it");
-    std::string name = "quadratic";
+    std::string name = Scene().map;
     reader.text("map", name);
     if (reader.failed()) return reader.finish();
     const MapKernels* map = findMap(name);

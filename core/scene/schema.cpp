@@ -101,7 +101,8 @@ Json schemaOf(const Json& value, const std::string& path, const Infos& infos) {
 
 Json sceneSchema() {
     // A map with a field and lists, with one of everything, shows every section.
-    Scene whole = sceneOf(*findMap("shape-modulus"));
+    Scene whole = sceneOf(
+        *findMapWhere([](const MapInfo& info) { return info.field && !info.lists.empty(); }));
     whole.layers.emplace_back();
     whole.ensemble.roots.emplace();
     whole.ensemble.ranges.emplace_back();

@@ -4,7 +4,7 @@
 // those as well, and whatever only they needed. The rest is done in the same order, so that the
 // result is the same wherever all numbers are finite (and but for the sign of a zero): the rule by
 // which maps/planar.h leaves out zero terms. Thus one definition of the planar quartic with its 30
-// coefficients gives the graphics processor a step of x² - y² + c.
+// coefficients gives the GPU a step of x² - y² + c.
 
 #include <vector>
 

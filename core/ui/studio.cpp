@@ -6,9 +6,16 @@
 #include <functional>
 
 #include "io/document.h"
+#include "ui/controls/access.h"
 #include "ui/controls/controls.h"
+#include "ui/dialogs/dialogs.h"
+#include "ui/keyboard.h"
+#include "ui/lesson/lesson_pane.h"
+#include "ui/panels/panels.h"
+#include "ui/plots/plots.h"
 #include "ui/session/context.h"
 #include "ui/session/open_file.h"
+#include "ui/views/view.h"
 #include "ui/widgets/help.h"
 
 namespace versorium {
@@ -69,7 +76,7 @@ void Studio::State::takeAnswers() {
             context.takeGrid(*answer);
         else if (!takeCandidate(context, *answer))
             context.gallery.take(std::move(*answer));
-    takeExport(context);
+    context.takeExport();
 }
 
 // A lesson is named by its step, anything else by its state. A teacher's link stays what it is.
@@ -86,14 +93,15 @@ std::string Studio::State::address() const {
 // Records what was done, once the hand is off it, and keeps the link up to date.
 void Studio::State::settle() {
     const double now = context.host.now();
-    if (context.touched) {
+    if (context.edited.unrecorded()) {
         fragmentOld = true;
-        if (!ImGui::IsAnyMouseDown() && now - context.touchedAt > kQuiet && !context.moves()) {
+        if (!ImGui::IsAnyMouseDown() && now - context.edited.editedAt() > kQuiet &&
+            !context.player.moves()) {
             context.record();
         }
     }
     if (fragmentOld && now - fragmentAt > 0.5 && !ImGui::IsAnyMouseDown()) {
-        fragmentOld = context.touched;
+        fragmentOld = context.edited.unrecorded();
         fragmentAt = now;
         if (const std::string link = address(); !link.empty() && link != fragmentText) {
             fragmentText = link;
@@ -101,31 +109,14 @@ void Studio::State::settle() {
         }
     }
     // What is still to be settled, or shown, comes by itself.
-    if (context.touched || fragmentOld) context.host.wakeAfter(0.5 * kQuiet);
+    if (context.edited.unrecorded() || fragmentOld) context.host.wakeAfter(0.5 * kQuiet);
     if (context.host.exportProgress() >= 0) context.host.wakeAfter(kProgressEvery);
 }
 
 void Studio::State::animate() {
     const double now = context.host.now();
-    const double passed = lastFrame < 0 ? 0 : std::min(0.1, now - lastFrame);
+    if (lastFrame >= 0) context.player.advance(now - lastFrame);
     lastFrame = now;
-    const StudioContext::Animation& animation = context.animation;
-    if (animation.running) context.advanceAnimation(passed / animation.seconds);
-    StudioContext::Player& player = context.player;
-    if (player.playing) {
-        const double end = context.workspace.motion.duration();
-        double at = player.at + passed;
-        if (at >= end) {
-            player.playing = player.again && end > 0;
-            at = player.playing ? at - end : end;
-        }
-        context.showMotionAt(at);
-    }
-    if (player.recording) {
-        player.recorder.take(movingScene(context.workspace), now);
-        player.at = now - player.since;
-        if (player.at >= kMostSeconds) context.record(false);
-    }
 }
 
 void Studio::State::drawViews(ImVec2 low, ImVec2 high) {
@@ -159,10 +150,8 @@ void Studio::State::drawViews(ImVec2 low, ImVec2 high) {
 }
 
 void Studio::State::drawStatus() {
-    const double now = context.host.now();
-    if (!context.notice.empty() && now - context.noticeAt < kNoticeFor) {
-        ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "%s",
-                           context.notice.c_str());
+    if (const std::string& notice = context.notices.shown(); !notice.empty()) {
+        ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "%s", notice.c_str());
         return;
     }
     if (const std::string hint = drawingHint(context); !hint.empty()) {
@@ -189,8 +178,7 @@ void Studio::State::drawStatus() {
 float Studio::State::drawRenderer(float right) {
     const LivePicture& picture =
         context.views[static_cast<std::size_t>(context.workspace.focused)].picture;
-    std::string text = picture.onGraphicsProcessor() ? tr("Graphics processor, 32 bits")
-                                                     : tr("Processor, double precision");
+    std::string text = picture.onGpu() ? tr("GPU, 32 bits") : tr("CPU, double precision");
     if (picture.memberGoal() > 0)
         text = tr("{1} of {2} sets counted",
                   {std::to_string(picture.members()), std::to_string(picture.memberGoal())}) +
@@ -204,10 +192,9 @@ float Studio::State::drawRenderer(float right) {
     ImGui::TextDisabled("%s", text.c_str());
     if (ImGui::IsItemClicked()) ImGui::OpenPopup("renderer");
     if (!ImGui::IsPopupOpen("renderer") && ImGui::IsItemHovered()) {
-        const std::string why =
-            picture.onGraphicsProcessor()
-                ? context.gpu.limits().device
-                : tr("Why the processor: {1}", {trMessage(picture.whyProcessor())});
+        const std::string why = picture.onGpu()
+                                    ? context.gpu.limits().device
+                                    : tr("Why the CPU: {1}", {trMessage(picture.whyCpu())});
         ImGui::BeginTooltip();
         ImGui::PushTextWrapPos(26 * ImGui::GetFontSize());
         ImGui::TextUnformatted((why + ".\n" + tr("Click to choose who draws.")).c_str());
@@ -217,8 +204,8 @@ float Studio::State::drawRenderer(float right) {
     if (!ImGui::BeginPopup("renderer")) return left;
     const std::pair<RendererChoice, const char*> choices[] = {
         {RendererChoice::automatic, tr("Automatic")},
-        {RendererChoice::graphics, tr("Graphics processor, where 32 bits suffice")},
-        {RendererChoice::processor, tr("Processor, always in double precision")}};
+        {RendererChoice::gpu, tr("GPU, where 32 bits suffice")},
+        {RendererChoice::cpu, tr("CPU, always in double precision")}};
     for (const auto& [choice, name] : choices)
         if (ImGui::MenuItem(name, nullptr, context.renderer == choice)) context.choose(choice);
     ImGui::EndPopup();
@@ -261,7 +248,7 @@ void Studio::State::drawWide(ImVec2 low, ImVec2 size) {
 }
 
 void Studio::State::drawNarrow(ImVec2 low, ImVec2 size) {
-    Workspace& workspace = context.workspace;
+    const Workspace& workspace = context.workspace;
     const float bar = std::max(ImGui::GetFrameHeight(), 44 * context.scale);
     const ImVec2 button{0, bar};
     const bool controls = sheet == Sheet::controls;
@@ -272,7 +259,7 @@ void Studio::State::drawNarrow(ImVec2 low, ImVec2 size) {
     };
     std::vector<Tab> looks, tools;
     for (std::size_t k = 0; k < workspace.views.size(); ++k) {
-        std::string label = showsParameters(workspace.views[k]) ? tr("Parameters") : tr("Points");
+        std::string label = tr(traitsOf(workspace.views[k]).tab);
         if (workspace.analysis()) label = k == 0 ? tr("Set") : std::to_string(k);
         looks.push_back({label + "##" + std::to_string(k), "view tab", [this, k] {
                              stripShown = false;
@@ -348,12 +335,12 @@ Studio::Studio(Host& host) : state_(new State(host)) {
         if (themes()[k].name == stored) state_->context.theme = k;
     // Something moves until the first touch.
     if (!host.reducedMotion())
-        state_->context.animation = {.number = "c.im",
-                                     .low = 0.13,
-                                     .high = 0.24,
-                                     .seconds = 24,
-                                     .phase = 0.25,
-                                     .running = true};
+        state_->context.player.animation = {.number = "c.im",
+                                            .low = 0.13,
+                                            .high = 0.24,
+                                            .seconds = 24,
+                                            .phase = 0.25,
+                                            .running = true};
 }
 Studio::~Studio() = default;
 
@@ -370,6 +357,7 @@ bool Studio::wantsPrepare() const { return state_->context.fontsChanged; }
 void Studio::frame() {
     State& state = *state_;
     StudioContext& context = state.context;
+    context.buttonDown = ImGui::IsAnyMouseDown();
     state.takeAnswers();
     handleKeys(context);
     context.glide();
@@ -402,7 +390,7 @@ bool Studio::busy() const {
     const StudioContext& context = state_->context;
     for (std::size_t k = 0; k < context.workspace.views.size(); ++k)
         if (state_->shows(k) && context.views[k].picture.working()) return true;
-    return context.moves() || context.gliding();
+    return context.player.moves() || context.gliding();
 }
 
 bool Studio::pinch(float fromX, float fromY, float toX, float toY, double factor) {
@@ -458,7 +446,7 @@ bool Studio::finished() const {
     const Workspace& workspace = state_->context.workspace;
     for (std::size_t k = 0; k < workspace.views.size(); ++k)
         if (state_->shows(k) && !state_->context.views[k].picture.finished()) return false;
-    return !state_->context.moves() && !state_->context.gliding();
+    return !state_->context.player.moves() && !state_->context.gliding();
 }
 
 std::string Studio::controls() const { return controlsText(state_->context); }
@@ -466,7 +454,7 @@ bool Studio::setControl(const std::string& id, const std::string& value) {
     return versorium::setControl(state_->context, id, value);
 }
 void Studio::markView(int view) {
-    Workspace& workspace = state_->context.workspace;
+    const Workspace& workspace = state_->context.workspace;
     if (view >= 0 && view < static_cast<int>(workspace.views.size())) state_->context.mark(view);
 }
 
@@ -478,7 +466,7 @@ int Studio::pictures() const {
 
 void Studio::tell(const Status& status) { state_->context.report(status); }
 void Studio::stopAnimation() {
-    state_->context.animation.running = false;
+    state_->context.player.animation.running = false;
     state_->context.player.playing = false;
 }
 

@@ -31,7 +31,7 @@ std::string diagramNumber(const Workspace& workspace) {
         return number && number->kind == NumberKind::parameter;
     };
     if (isParameter(workspace.diagram.number)) return workspace.diagram.number;
-    const int view = parameterViewOf(workspace);
+    const int view = viewOfKind(workspace, ViewKind::parameters);
     if (view >= 0)
         for (const SliceAxis& axis : workspace.views[static_cast<std::size_t>(view)].slice.axes)
             for (const auto& [name, weight] : axis.terms)

@@ -70,8 +70,7 @@ PlateDocument plateOfViews(const Workspace& workspace, const std::vector<double>
         scenes.push_back(sceneOfView(workspace, k, aspects));
         PlatePanel panel;
         panel.name = static_cast<char>('a' + plate.panels.size());
-        panel.title = words.tr(showsParameters(scenes.back()) ? trLater("Parameters")
-                                                              : trLater("Starting points"));
+        panel.title = words.tr(traitsOf(scenes.back()).title);
         panel.scene = scenes.back();
         plate.panels.push_back(std::move(panel));
     }

@@ -14,7 +14,7 @@ struct ExportOptions {
     bool film = false;      // of a motion: as a film, where the host makes one
     bool plate = false;     // with axes, keys and a caption; else the bare picture
     std::string builtIn;    // of plates: one of the program's own instead of the views
-    bool allViews = false;  // as panels of the plate; else the marked view alone
+    bool allViews = false;  // as panels of the plate; else the focused view alone
     int width = 1600;       // of the bare picture, in pixels; its height follows from the view
     double millimetres = 178, dotsPerInch = 300;
     std::string theme = "paper";
@@ -22,7 +22,7 @@ struct ExportOptions {
     std::string language = "en";  // of a plate of the views
 };
 
-// The views as panels of a plate, all of them or the marked one, with the title and the caption
+// The views as panels of a plate, all of them or the focused one, with the title and the caption
 // that follow from them, in that language (Plate::language). `aspects` holds width over height of
 // every view as it is shown.
 PlateDocument plateOfViews(const Workspace& workspace, const std::vector<double>& aspects, bool all,

@@ -6,20 +6,10 @@
 #include <set>
 #include <utility>
 
-#include "maps/critical.h"
 #include "scene/parts.h"
 
 namespace versorium {
 namespace {
-
-// A fit for a map whose parameter plane is not square: the wider of the two ranges decides.
-constexpr double kParameterHeight = 3;
-
-void shareWith(Scene& scene, const Scene& like) {
-    scene.parameters = like.parameters;
-    scene.lists = like.lists;
-    keepShape(scene, like);
-}
 
 bool isState(const Scene& scene, const std::string& name) {
     const std::optional<NumberRef> number = numberNamed(scene, name);
@@ -33,160 +23,13 @@ double originOf(const SliceSpec& slice, const std::string& name) {
 
 }  // namespace
 
-Scene dynamicalView(const Scene& like) {
-    Scene scene = sceneOf(mapOf(like));
-    shareWith(scene, like);
-    scene.iterations = like.iterations;
-    scene.escapeRadius = like.escapeRadius;
-    keepLook(scene, like);
-    if (!like.criticalStart) scene.start = like.start;
-    return scene;
-}
-
-Scene parameterView(const Scene& like) {
-    Scene scene = dynamicalView(like);
-    const MapKernels& map = mapOf(like);
-    std::vector<std::string> names;
-    std::vector<double> centre;
-    int component = 0;
-    const bool hasWide =
-        std::any_of(map.info.parameters.begin(), map.info.parameters.end(),
-                    [](const ParameterInfo& parameter) { return widthOf(parameter.kind) >= 2; });
-    // A complex or quaternion parameter gives its first two components; else reals are joined:
-    // those that are set come before those that are 0.
-    // The planar system's constant terms, whatever its family.
-    if (map.info.name == "planar")
-        for (const char* name : {"g.d", "h.d"}) {
-            names.emplace_back(name);
-            centre.push_back(0);
-        }
-    for (const bool zeros : {false, true}) {
-        component = 0;
-        for (const ParameterInfo& parameter : map.info.parameters) {
-            const std::vector<double>& now = like.parameters.at(std::string(parameter.name));
-            if (widthOf(parameter.kind) == 1 && parameter.kind == ParameterKind::real &&
-                (now[0] == 0) == zeros && names.size() < 2 && !hasWide) {
-                names.push_back(parameterComponent(map.info, component));
-                centre.push_back(now[0]);
-            }
-            component += widthOf(parameter.kind);
-        }
-    }
-    component = 0;
-    for (const ParameterInfo& parameter : map.info.parameters) {
-        const int width = widthOf(parameter.kind);
-        for (int k = 0; k < 2 && width >= 2 && names.size() < 2; ++k) {
-            names.push_back(parameterComponent(map.info, component + k));
-            centre.push_back(0);
-        }
-        component += width;
-    }
-    if (names.size() < 2) return scene;
-    scene.slice = {};
-    for (std::size_t k = 0; k < 2; ++k) {
-        scene.slice.axes.push_back({{{names[k], 1.0}}});
-        scene.slice.centre.push_back(centre[k]);
-        scene.slice.centreLow.push_back(0);
-    }
-    scene.slice.height = kParameterHeight;
-    if (map.info.formula == "z^2 + c") scene.slice.centre[0] = -0.65;
-    // A planar map may have a whole curve of critical points, or none: the origin, as A
-    // section 4.2.
-    if (map.info.algebra == Algebra::plane)
-        scene.start.assign(2, 0.0);
-    else if (hasCriticalPoints(map))
-        scene.criticalStart = 0;
-    return scene;
-}
-
-SliceSpec homeOf(const Scene& scene) {
-    const SliceSpec there =
-        showsParameters(scene) ? parameterView(scene).slice : dynamicalView(scene).slice;
-    SliceSpec place = scene.slice;
-    if (there.axes == place.axes) {
-        place.centre = there.centre;
-        place.height = there.height;
-    } else {
-        std::fill(place.centre.begin(), place.centre.end(), 0.0);
-        place.height = 4;
-    }
-    std::fill(place.centreLow.begin(), place.centreLow.end(), 0.0);
-    return place;
-}
-
-bool showsParameters(const Scene& scene) {
-    for (const SliceAxis& axis : scene.slice.axes)
-        for (const auto& [name, weight] : axis.terms)
-            if (!isState(scene, name)) return true;
-    return false;
-}
-
-Workspace workspaceOf(const Scene& scene) {
-    Workspace workspace;
-    const bool parameters = showsParameters(scene);
-    workspace.views = {parameters ? scene : parameterView(scene),
-                       parameters ? dynamicalView(scene) : scene};
-    workspace.focused = parameters ? 0 : 1;
-    workspace.point = scene.start;
-    workspace.point.resize(static_cast<std::size_t>(mapOf(scene).dimension));
-    return workspace;
-}
-
-void setViewCount(Workspace& workspace, int count) {
-    if (workspace.analysis()) {
-        const Scene spoken = workspace.views[workspace.speaker()];
-        for (Scene& scene : workspace.views) scene.parameters = spoken.parameters;
-        workspace.views.resize(static_cast<std::size_t>(std::min(count, 4)));
-        workspace.focused = 0;
-    }
-    while (static_cast<int>(workspace.views.size()) < count) {
-        const std::size_t size = workspace.views.size();
-        workspace.views.push_back(size < 2 ? dynamicalView(workspace.views[0])
-                                           : workspace.views[size - 2]);
-    }
-    if (count == 1) std::swap(workspace.views[0], workspace.view());
-    workspace.views.resize(static_cast<std::size_t>(count));
-    workspace.focused = std::min(workspace.focused, count - 1);
-    if (count == 1) workspace.focused = 0;
-    workspace.maximised = false;
-    workspace.motionView = std::min(workspace.motionView, count - 1);
-}
-
-bool setAnalysis(Workspace& workspace) {
-    if (workspace.analysis()) return true;
-    const auto shown =
-        std::find_if(workspace.views.begin(), workspace.views.end(), showsParameters);
-    Scene set = shown == workspace.views.end() ? parameterView(workspace.views[0]) : *shown;
-    if (!showsParameters(set) || set.slice.axes.size() < 2) return false;
-    const auto points =
-        std::find_if_not(workspace.views.begin(), workspace.views.end(), showsParameters);
-    const Scene like = points == workspace.views.end() ? dynamicalView(set) : *points;
-    workspace.views.assign(1, std::move(set));
-    workspace.views.resize(kAnalysisViews, like);
-    workspace.maximised = false;
-    // Where no pin is, a place beside the present one, as far as a quarter of the picture.
-    constexpr double kPlaces[4][2] = {{0, 0}, {-1, 0.4}, {0.4, 1}, {-0.4, -1}};
-    const std::array<double, 2> here = markerOf(workspace, 0);
-    for (std::size_t k = 0; k < 4; ++k) {
-        workspace.focused = static_cast<int>(k) + 1;
-        const double step = 0.2 * workspace.views[0].slice.height;
-        moveMarker(workspace, 0, here[0] + step * kPlaces[k][0], here[1] + step * kPlaces[k][1]);
-        if (k < workspace.pins.size()) workspace.views[k + 1].parameters = workspace.pins[k];
-    }
-    workspace.pins.clear();
-    workspace.focused = 1;
-    workspace.motionView = 0;
-    return true;
-}
-
 double sharedNumber(const Workspace& workspace, const std::string& name) {
-    const Scene& scene =
-        name == kAsPrinted ? workspace.view() : workspace.views[workspace.speaker()];
-    const std::optional<NumberRef> number = numberNamed(scene, name);
+    const Scene& spoken = workspace.views[workspace.speaker()];
+    const std::optional<NumberRef> number = numberNamed(spoken, name);
     if (!number) return 0;
     if (number->kind == NumberKind::state)
         return workspace.point[static_cast<std::size_t>(number->index)];
-    return numberValue(scene, *number);
+    return numberValue(isOfView(spoken, *number) ? workspace.view() : spoken, *number);
 }
 
 void setSharedNumber(Workspace& workspace, const std::string& name, double value) {
@@ -195,7 +38,7 @@ void setSharedNumber(Workspace& workspace, const std::string& name, double value
     if (!number) return;
     if (number->kind == NumberKind::state)
         workspace.point[static_cast<std::size_t>(number->index)] = value;
-    else if (name == kAsPrinted)
+    else if (isOfView(workspace.views[0], *number))
         return setNumber(workspace.view(), *number, value);
     else if (workspace.analysis() && isOnAxis(workspace.views[0].slice, name))
         return setNumber(workspace.views[workspace.speaker()], *number, value);
@@ -260,17 +103,19 @@ Scene pictureScene(const Scene& view, double aspect) {
         for (const auto& [name, weight] : axis.terms) {
             const std::optional<NumberRef> number = numberNamed(view, name);
             // The map's own power is the degree that escape times are smoothed with.
-            if (number && number->kind != NumberKind::list && name != "power")
-                setNumber(scene, *number, 0);
+            const bool degree = name == mapOf(view).info.degreeParameter;
+            if (number && number->kind != NumberKind::list && !degree) setNumber(scene, *number, 0);
         }
     return scene;
 }
 
 Scene orbitScene(const Workspace& workspace) {
     Scene scene = dynamicalView(workspace.views[workspace.speaker()]);
-    if (const auto own = workspace.view().parameters.find(kAsPrinted);
-        own != workspace.view().parameters.end())
-        scene.parameters[kAsPrinted] = own->second;
+    for (const ParameterInfo& parameter : mapOf(scene).info.parameters)
+        if (parameter.ofView) {
+            const std::string name(parameter.name);
+            scene.parameters[name] = workspace.view().parameters.at(name);
+        }
     scene.criticalStart.reset();
     scene.start = workspace.point;
     scene.iterations = workspace.view().iterations;
@@ -352,15 +197,8 @@ std::vector<std::string> axisNames(const Scene& scene) {
     return names;
 }
 
-int parameterViewOf(const Workspace& workspace) {
-    if (showsParameters(workspace.view())) return workspace.focused;
-    for (std::size_t k = 0; k < workspace.views.size(); ++k)
-        if (showsParameters(workspace.views[k])) return static_cast<int>(k);
-    return -1;
-}
-
 void makeAxis(Workspace& workspace, std::size_t axis, const std::string& name) {
-    int view = parameterViewOf(workspace);
+    int view = viewOfKind(workspace, ViewKind::parameters);
     if (view < 0) {
         view = 0;
         Scene& first = workspace.views[0];
@@ -392,7 +230,7 @@ void setAxis(Workspace& workspace, std::size_t axis, const std::string& name) {
         slice.centre[axis] = sharedNumber(workspace, name);
     }
     slice.origin.clear();
-    if (!showsParameters(workspace.view())) workspace.view().criticalStart.reset();
+    if (!traitsOf(workspace.view()).ownStart) workspace.view().criticalStart.reset();
     keepEnsembleFitting(workspace.view());
 }
 

@@ -2,7 +2,8 @@
 #pragma once
 // Workspace: what the studio shows, as one value. Every view is a whole Scene of the same map; the
 // views are welded: map, parameters, lists, shape and the orbit's starting point are the same in
-// all of them, while slice, starting rule, iterations, layers and colours are each view's own.
+// all of them, while slice, starting rule, iterations, layers, colours and the parameters that the
+// map says so of (ParameterInfo::ofView) are each view's own.
 // Undo is a list of workspaces, a link is a workspace.
 //
 // Five views are an analysis (A section 5.1): the first one shows parameters, and each of the four
@@ -15,6 +16,7 @@
 #include "scene/animation.h"
 #include "scene/numbers.h"
 #include "scene/scene.h"
+#include "scene/view_kind.h"
 
 namespace versorium {
 
@@ -24,8 +26,6 @@ inline constexpr int kMostPins = 4;
 inline constexpr int kMostOrbitSteps = 1000;
 inline constexpr std::size_t kMostRanges = 256;
 inline constexpr int kMostShownPeriod = 12;
-// The one parameter that is each view's own: two views show S eq 2 as it is meant and as printed.
-inline constexpr const char* kAsPrinted = "as_printed";
 inline constexpr std::size_t kMostCircles = 8;
 // What a view shows from bottom to top: as deep as double precision goes, and as far.
 inline constexpr double kLeastHeight = 1e-13, kMostHeight = 1e6;
@@ -85,7 +85,7 @@ struct Workspace {
     Strip strip = Strip::series;
 
     bool analysis() const { return views.size() == kAnalysisViews; }
-    // The view whose numbers are shown and set: the marked one of an analysis, never its first.
+    // The view whose numbers are shown and set: the focused one of an analysis, never its first.
     std::size_t speaker() const {
         return analysis() ? static_cast<std::size_t>(focused > 0 ? focused : 1) : 0;
     }
@@ -98,12 +98,15 @@ Scene dynamicalView(const Scene& like);
 // The plane of the first two numbers among the parameters that are worth varying, started at the
 // first critical point where there is one. A map without two parameters gives a dynamical view.
 Scene parameterView(const Scene& like);
+// The home view of a kind, for the same map and the same numbers.
+Scene homeView(ViewKind kind, const Scene& like);
 // The place where a view with these axes begins.
 SliceSpec homeOf(const Scene& scene);
-// True when an axis of the slice is a parameter or a root.
-bool showsParameters(const Scene& scene);
+// The first view of a kind; -1 for none. A view that is meant is the focused one, else the first.
+int firstOfKind(const Workspace& workspace, ViewKind kind);
+int viewOfKind(const Workspace& workspace, ViewKind kind);
 
-// The scene beside its welded partner: parameters on the left, starting points on the right.
+// The scene beside its welded partner, in the order of their kinds.
 Workspace workspaceOf(const Scene& scene);
 // 1, 2 or 4 views; new ones repeat the kinds of the first two.
 void setViewCount(Workspace& workspace, int count);
@@ -141,10 +144,9 @@ std::vector<std::string> axisNames(const Scene& scene);
 // line: the axes change places instead.
 void setAxis(Workspace& workspace, std::size_t axis, const std::string& name);
 
-// The view of parameters that is meant where one is: the marked one, else the first; -1 for none.
-int parameterViewOf(const Workspace& workspace);
-// An axis of that view, or of the first view, which becomes one of parameters where there is none,
-// stands for a number from now on. Places of an analysis keep their own numbers on its axes only.
+// An axis of the view of parameters that is meant, or of the first view, which becomes one of
+// parameters where there is none, stands for a number from now on. Places of an analysis keep their
+// own numbers on its axes only.
 void makeAxis(Workspace& workspace, std::size_t axis, const std::string& name);
 
 // A scene whose points are the starting points around `workspace.point`; for orbits and probes.

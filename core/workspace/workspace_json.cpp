@@ -47,7 +47,8 @@ Json shortScene(const Scene& scene) {
 Status checkWelded(const Workspace& workspace) {
     const auto shared = [](const Scene& scene) {
         Json json = sceneBody(scene);
-        json["parameters"].erase(kAsPrinted);
+        for (const ParameterInfo& parameter : mapOf(scene).info.parameters)
+            if (parameter.ofView) json["parameters"].erase(std::string(parameter.name));
         return json;
     };
     const Json first = shared(workspace.views[0]);

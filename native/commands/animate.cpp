@@ -156,8 +156,8 @@ Expected<Movie> movieOf(const AnimateRequest& request) {
     if (!file) return animationNamed(request.file);
     Expected<Document> document = readDocument(request.file);
     if (!document) return document.status();
-    if (document->kind != "animation")
-        return Status::data(request.file + ": this is a " + document->kind +
+    if (document->kind != DocumentKind::animation)
+        return Status::data(request.file + ": this is a " + std::string(wordOf(document->kind)) +
                             "; an animation has \"keys\": record one in the studio with R");
     Expected<Movie> movie = movieFromDocument(*document);
     return movie ? std::move(movie) : movie.status().in(request.file);

@@ -247,7 +247,7 @@ Status explain(const DynamicsRequest& request, int threads) {
     Json json{{"map", scene.map}, {"title", std::string(info.title)}};
     std::string text = std::string(info.title) + ":";
     std::optional<ComplexPolynomial> polynomial;
-    if (scene.map == "planar") {
+    if (info.planarCoefficients) {
         const auto names = slicedNames(scene);
         for (int component = 0; component < 2; ++component) {
             const std::string formula = planarText(system->parameters(), component, names);

@@ -29,8 +29,15 @@ Expected<OpenedScene> open(const std::string& what) {
     }
     Expected<Document> document = readDocument(what);
     if (!document) return document.status();
-    if (document->kind != "scene")
-        return Status::data(what + ": this is a plate; use \"versorium plate " + what + "\"");
+    switch (document->kind) {
+        case DocumentKind::scene:
+            break;
+        case DocumentKind::plate:
+            return Status::data(what + ": this is a plate; use \"versorium plate " + what + "\"");
+        case DocumentKind::animation:
+            return Status::data(what + ": this is an animation; use \"versorium animate " + what +
+                                "\"");
+    }
     Expected<Scene> scene = sceneWithAssets(document->body, document->assets);
     if (!scene) return scene.status().in(what);
     Expected<PictureOptions> options = pictureOptions(*document);

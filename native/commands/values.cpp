@@ -50,7 +50,7 @@ std::string lineOf(const Scene& scene, const SceneProperty& property) {
 
 Status listValues(const SceneRequest& request, bool json) {
     SceneRequest asked = request;
-    if (asked.scene.empty() && asked.map.empty()) asked.map = "quadratic";
+    if (asked.scene.empty() && asked.map.empty()) asked.map = Scene().map;
     const Expected<OpenedScene> opened = openScene(asked);
     if (!opened) return opened.status();
     Json rows = Json::array();

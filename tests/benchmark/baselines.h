@@ -29,7 +29,7 @@ void averagedMembership(int side, double height, int iterations, double alpha,
                         const std::vector<std::vector<RootList::Root>>& members,
                         std::vector<std::uint32_t>& counts);
 
-// Multiply-adds as fast as the processor does them, for each instruction set; returns how many
+// Multiply-adds as fast as the CPU does them, for each instruction set; returns how many
 // floating-point operations were done (two for each multiply-add).
 double fmaPeakV3(int rounds);
 double fmaPeakV4(int rounds);

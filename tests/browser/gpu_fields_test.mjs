@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The fields of the graphics processor against the processor's, in a browser:
+// The fields of the GPU against the CPU's, in a browser:
 // gpu_fields_test.mjs ROOT runs tests/gpu/fields_test.cpp and averaged_test.cpp as a page.
 // What of the latter says nothing about the shaders is left to the window's graphics.
 import { createServer } from "node:http";

@@ -84,7 +84,7 @@ async function solve(page, way, solution) {
   const open = await offered();
   // Chance is drawn until it is kind.
   for (let seed = 1; open.includes("draw roots") && seed < 20 && !(await reached()); ++seed) {
-    await way.set(page, "random seed", String(seed));
+    await way.set(page, "random.seed", String(seed));
     await way.set(page, "draw roots", "");
     await page.waitForTimeout(600);
   }

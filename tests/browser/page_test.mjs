@@ -151,8 +151,8 @@ const tests = {
     await page.context().close();
   },
 
-  // One light view, since a program draws in place of the graphics processor here.
-  async "drawn by the graphics processor it is the same picture, and again in a new context"(browser, address) {
+  // One light view, since a program draws in place of the GPU here.
+  async "drawn by the GPU it is the same picture, and again in a new context"(browser, address) {
     const page = await open(browser, address, { viewport: { width: 640, height: 300 } });
     await finished(page);
     const workspace = unpacked(await fragment(page));

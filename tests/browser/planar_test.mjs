@@ -71,7 +71,7 @@ const tests = {
     const before = unpacked(whole);
     assert.equal(before.views.length, 5);
     await shoot(page, "analysis");
-    // Ctrl and a click bring the marked view's place there.
+    // Ctrl and a click bring the focused view's place there.
     await page.keyboard.press("4");
     await page.keyboard.down("Control");
     await page.mouse.click(250, 200);
@@ -126,7 +126,7 @@ const tests = {
     await shoot(page, "motion");
     // Four pictures, small ones.
     await set(page, "frame rate", String(Math.max(1, 3 / motion.keys.at(-1).time)));
-    await set(page, "export", "64");
+    await set(page, "export.width", "64");
     const coming = page.waitForEvent("download", { timeout: patience });
     await set(page, "export motion", "");
     const path = join(folder, "motion.zip");
@@ -174,7 +174,7 @@ const tests = {
     await finished(page);
     const area = { x: 480, y: 60, width: 120, height: 160 };
     const before = await look(page, area);
-    await set(page, "images are layers", "on");
+    await set(page, "images_are_layers", "on");
     const png = execFileSync(program, ["render", "newton", "-o", "-", "--size", "40x40"], { maxBuffer: 1 << 26 });
     await page.setInputFiles("#file", { name: "newton.png", mimeType: "image/png", buffer: png });
     await waitFor(page, () => JSON.parse(window.versorium.controls()).controls

@@ -59,7 +59,7 @@ const tests = {
     // α turned, and painted onto the upper arm.
     await set(page, "alpha", "25");
     await finished(page);
-    await set(page, "modulation.alpha.brush", "5");
+    await set(page, "brush.alpha", "5");
     const turned = await fragment(page);
     await page.keyboard.press("Control+k");
     await page.waitForTimeout(300);
@@ -85,7 +85,7 @@ const tests = {
     await page.waitForTimeout(400);
     await shoot(page, "export");
     await page.keyboard.press("Escape");
-    await set(page, "export", "320");
+    await set(page, "export.width", "320");
     const coming = page.waitForEvent("download", { timeout: patience });
     await set(page, "begin export", "");
     const path = join(folder, "star.png");

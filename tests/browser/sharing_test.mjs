@@ -142,14 +142,14 @@ const tests = {
     const page = await open(address);
     let downloads = 0;
     page.on("download", () => ++downloads);
-    await set(page, "export", "6000");
+    await set(page, "export.width", "6000");
     await set(page, "begin export");
     await page.waitForTimeout(300);
     assert.equal(await set(page, "cancel export"), true);
     await said(page, "cancelled");
     await waitFor(page, () => !versorium.controls().includes("cancel export"));
     // The next one is not disturbed.
-    await set(page, "export", "64");
+    await set(page, "export.width", "64");
     const coming = page.waitForEvent("download", { timeout: patience });
     await set(page, "begin export");
     await coming;
@@ -209,7 +209,7 @@ const tests = {
     assert.match(await page.textContent("#message-text"), /new version/);
     assert.equal(await page.getAttribute('meta[name="versorium-build"]', "content"), old);
     // The old page still finds its own parts.
-    await set(page, "export", "64");
+    await set(page, "export.width", "64");
     const coming = page.waitForEvent("download", { timeout: patience });
     await set(page, "begin export");
     await coming;

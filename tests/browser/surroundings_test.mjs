@@ -262,7 +262,7 @@ const tests = {
     await page.context().close();
   },
 
-  async "without WebGL 2 the processor draws the same picture, and the page says so"(browser) {
+  async "without WebGL 2 the CPU draws the same picture, and the page says so"(browser) {
     const plain = await launch("--disable-3d-apis", "--disable-gpu");
     const shots = [];
     for (const which of [browser, plain]) {

@@ -11,6 +11,8 @@ sys.dont_write_bytecode = True
 import catalogue
 import dependencies
 import kernel_symbols
+import map_names
+import sizes
 import texts
 import tracked_files
 
@@ -96,6 +98,73 @@ class Catalogue(unittest.TestCase):
         self.assertEqual(self.faults(self.HEADER, "# maps\na.h One\na.h Two<int>\n"), [])
         self.assertEqual(len(self.faults(self.HEADER, "a.h One\n")), 1)
         self.assertEqual(len(self.faults(self.HEADER, "a.h One\na.h Two<int>\na.h Other\n")), 1)
+
+
+class MapNames(unittest.TestCase):
+    HEADER = 'struct A {\n static constexpr MapInfo info{.name = "planar", .title = ""};\n};\n' \
+             'struct B {\n static constexpr MapInfo info{\n.name = kC ? "power" : "other-map",};\n};\n'
+
+    def faults(self, code, allowed=""):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for name in ("core/maps", "core/scene", "tests/checks"):
+                (root / name).mkdir(parents=True)
+            (root / "core/maps/a.h").write_text(self.HEADER)
+            (root / "core/scene/a.cpp").write_text(code)
+            (root / "tests/checks/map_names.txt").write_text(allowed)
+            return map_names.check(root)[1]
+
+    def test_finds(self):
+        for code in ['if (info.name == "planar")', 'const char* a = "other-map";',
+                     'auto* a = findMap("power");', 'if (scene.map != "power")',
+                     'if (map.info.formula == "z^2 + c")', 'f("shape-modulus-quadratic");']:
+            self.assertEqual(len(self.faults(code)), 1, code)
+
+    def test_leaves_alone(self):
+        for code in ['f("power", "planar presets");', '// "planar"\n', 'if (info.planarCoefficients)']:
+            self.assertEqual(self.faults(code), [], code)
+
+    def test_allowed(self):
+        line = "core/scene/a.cpp planar # because\n"
+        self.assertEqual(self.faults('f("planar");', line), [])
+        self.assertEqual(len(self.faults('f();', line)), 1)
+        self.assertEqual(len(self.faults('f();', "core/scene/a.cpp planar\n")), 1)
+
+
+class Sizes(unittest.TestCase):
+
+    def faults(self, code, allowed=""):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            (root / "core/scene").mkdir(parents=True)
+            (root / "tests/checks").mkdir(parents=True)
+            (root / "core/scene/a.cpp").write_text(code)
+            (root / "tests/checks/sizes.txt").write_text(allowed)
+            return sizes.check(root)[1]
+
+    LONG = "    f();\n" * 80
+
+    def test_finds(self):
+        for head in ["void f() {", "template <int W, class B = A<int>>\nvoid f(B b = {}) {",
+                     "namespace a {\nMACRO(x)\nnamespace {\nint A::f(int a) const {",
+                     "struct A {\n  A(int a) : a_{a}, b_(a) {", "const T& table() {\n static const T t = [] {"]:
+            closing = "}" * head.count("{")
+            self.assertEqual(len(self.faults(head + "\n" + self.LONG + closing)), 1, head)
+        self.assertEqual(len(self.faults("int a;\n" * 401)), 1)
+
+    def test_leaves_alone(self):
+        short = "void f() {\n" + "    f();\n" * 78 + "}\n"
+        for code in [short, short * 4, "namespace a {\n" + short * 4 + "}",
+                     "struct A {\n" + short * 4 + "};", '// void f() {\nconst char* a = "void f() {";\n' + short,
+                     "constexpr T kTable[] = {\n" + "    {f(1)},\n" * 90 + "};"]:
+            self.assertEqual(self.faults(code), [], code[:40])
+
+    def test_allowed(self):
+        long = "void f() {\n" + self.LONG + "}"
+        self.assertEqual(self.faults(long, "core/scene/a.cpp f # because\n"), [])
+        self.assertEqual(len(self.faults(long, "core/scene/a.cpp g # because\n")), 2)
+        self.assertEqual(len(self.faults("", "core/scene/a.cpp f # because\n")), 1)
+        self.assertEqual(len(self.faults(long, "core/scene/a.cpp f\n")), 2)
 
 
 class KernelSymbols(unittest.TestCase):

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: MIT
 """The dependency rule: which room may include which, and what the core must never name.
 
+A room may be parted: "ui/session" is a room within ui, with rules of its own beside those of ui.
+
 dependencies.py [ROOT] reads tests/checks/dependencies.txt and every C++ file of core, native and web.
 """
 import pathlib
@@ -17,6 +19,9 @@ PLATFORM_WORDS = re.compile(r"__EMSCRIPTEN__|emscripten[./]|imgui|GLFW|\bGL(ES[2
 # But for the rooms of the studio, which draw with them.
 STUDIO_WORDS = {"gpu": {"gles3/gl"}, "ui": {"gles3/gl", "imgui"}}
 STUDIO_HEADERS = {"ui": {"imgui.h", "imgui_internal.h"}}
+# Parts of the studio that draw nothing.
+WITHOUT_IMGUI = {"ui/host", "ui/session", "ui/controls"}
+IMGUI_WORDS = re.compile(r"imgui|\bIm(?:Gui|Vec|Draw|Texture|U32|COL)\w*", re.I)
 # No function of <cmath> whose last bit depends on the library: math/elementary.h has the project's.
 INEXACT = (
     "exp exp2 expm1 log log2 log10 log1p sin cos tan asin acos atan atan2 sinh cosh tanh asinh "
@@ -24,10 +29,14 @@ INEXACT = (
 ).split()
 INEXACT_CALL = re.compile(
     r"(?<![\w:])(?:std\s*::|::|__builtin_)\s*((?:%s)[fl]?)\b" % "|".join(INEXACT))
-FORBIDDEN = [
-    (INEXACT_CALL, "is a transcendental of <cmath>: use math/elementary.h"),
+# What the page's compiler lacks; its tests are built by it as well.
+MISSING = [
     (re.compile(r"\bstd\s*::\s*from_chars\b"), "is deleted for double in libc++ 13: use base/json.h"),
     (re.compile(r"\bstd\s*::\s*(?:bit_cast|format|jthread|ranges)\b"), "is not in libc++ 13"),
+]
+FORBIDDEN = [
+    (INEXACT_CALL, "is a transcendental of <cmath>: use math/elementary.h"),
+    *MISSING,
     (re.compile(r"\b(?:try\s*\{|catch\s*\(|throw\b)"), "is an exception: use base/status.h"),
 ]
 FORBIDDEN_HEADERS = {
@@ -48,14 +57,17 @@ def read_rules(path):
             continue
         room, colon, names = line.partition(":")
         allowed = set(names.split())
+        room = room.strip()
         if not colon:
             faults.append(f"{path}:{number}: \"{line}\" is not \"room: rooms\"")
             continue
         if allowed == {"*"}:
-            allowed = {name for name in rules if name != "native"}
+            allowed = {name for name in rules if name != "native" and "/" not in name}
         for name in sorted(allowed - rules.keys()):
             faults.append(f"{path}:{number}: {room} names {name}, which does not stand above it")
-        rules[room.strip()] = allowed
+        if "/" in room and any(name.split("/")[0] != room.split("/")[0] for name in allowed):
+            faults.append(f"{path}:{number}: {room} may name parts of its own room alone")
+        rules[room] = allowed
     return rules, faults
 
 
@@ -81,6 +93,34 @@ def room_of(path, root):
     return parts[1] if parts[0] == "core" else parts[0]
 
 
+def part_of(path, root):
+    """"ui/session" of core/ui/session/x.h; nothing of a file that stands in no part."""
+    parts = path.relative_to(root).parts
+    return "/".join(parts[1:3]) if parts[0] == "core" and len(parts) > 3 else None
+
+
+def check_parts(path, root, rules, code):
+    """Within a room that has parts, each part includes only those that its rule names."""
+    name, part = path.relative_to(root), part_of(path, root)
+    if not part or not any(rule.startswith(part.split("/")[0] + "/") for rule in rules):
+        return
+    if part not in rules:
+        yield f"{name}: the part {part} is not in tests/checks/dependencies.txt"
+        return
+    for match in INCLUDE.finditer(code):
+        target = "/".join(match.group(1).split("/")[:2])
+        if not match.group(1).startswith(part.split("/")[0] + "/") or target == part:
+            continue
+        where = f"{name}:{line_of(code, match.start(1))}"
+        if target not in rules:
+            yield f'{where}: "{match.group(1)}" stands above the parts: {part} must not include it'
+        elif target not in rules[part]:
+            yield f"{where}: {part} must not include {target}"
+    if part in WITHOUT_IMGUI:
+        for match in IMGUI_WORDS.finditer(code):
+            yield f"{name}:{line_of(code, match.start())}: {part} knows no ImGui: {match.group(0)}"
+
+
 def check_file(path, root, rules):
     name = path.relative_to(root)
     room = room_of(path, root)
@@ -89,6 +129,7 @@ def check_file(path, root, rules):
     if room not in rules:
         yield f"{name}: the room {room} is not in tests/checks/dependencies.txt"
         return
+    yield from check_parts(path, root, rules, code)
     for match in INCLUDE.finditer(code):
         target = match.group(1).split("/")[0] if "/" in match.group(1) else None
         where = f"{name}:{line_of(code, match.start(1))}"
@@ -120,6 +161,13 @@ def check_file(path, root, rules):
             yield f"{name}:{line_of(code, match.start())}: {match.group(0).strip()} {why}"
 
 
+def check_test(path, root):
+    code = without_comments(path.read_text(encoding="utf-8"))
+    for pattern, why in MISSING:
+        for match in pattern.finditer(code):
+            yield f"{path.relative_to(root)}:{line_of(code, match.start())}: {match.group(0)} {why}"
+
+
 def check(root):
     rules, faults = read_rules(root / "tests/checks/dependencies.txt")
     files = sorted(
@@ -127,6 +175,9 @@ def check(root):
         if path.suffix in SUFFIXES and path.is_file())
     for path in files:
         faults.extend(check_file(path, root, rules))
+    for path in sorted((root / "tests").rglob("*")):
+        if path.suffix in SUFFIXES:
+            faults.extend(check_test(path, root))
     return files, faults
 
 

@@ -25,7 +25,7 @@ SINKS = {
     "choose": [0, 3, 4], "chooseName": [0, 4], "numberField": [2], "say": [0], "begin": [0],
     "all.number": [1], "all.choice": [1, 3], "all.toggle": [1], "all.colour": [1], "all.text": [1],
     "all.command": [1], "toolButton": [1], "radio": [0], "kind": [0], "tab": [0], "button": [0],
-    "either": [0, 1], "edit": [0], "dragged": [0], "gradientControls": [1], "chooseMore": [1],
+    "either": [0, 1], "dragged": [0], "gradientControls": [1], "chooseMore": [1],
     "collectGradient": [1], "colourField": [0], "said": [0], "row": [0, 1], "rowButton": [0], "label": [0],
 }
 SINKS_OF = {
@@ -59,11 +59,11 @@ RAW.update({"ImGui::InputTextWithHint": [0, 1], "ImGui::BeginCombo": [0, 1], "Im
             "ImGui::DragInt": [0, 5], "dragNumber": [0], "TextColored": [1], "drawText": [3]})
 # What the interface shows of other rooms: file, and what stands before a text there.
 TABLES = [
-    ("core/maps/*.h", r"\.(?:title|help|source)\s*=\s*"),
+    ("core/maps/*.h", r"\.(?:title|help|source|label)\s*=\s*"),
     ("core/maps/formula_map.cpp", r"\.(?:title|help|source)\s*=\s*"),
     ("core/fields/field_names.cpp", r"\{FieldName::\w+,\s*wordOf\([^)]*\),\s*"),
     # The words of enumerations, but for those that only files have.
-    ("core/*/*.h", r"struct EnumWords<(?!ValueKind)[\w:]+> \{\s*static constexpr [^{]*\{"),
+    ("core/*/*.h", r"struct EnumWords<(?!(?:Value|View|Answer|Document)Kind)[\w:]+> \{\s*static constexpr [^{]*\{"),
     ("core/ui/*/*.h", r"struct EnumWords<[\w:]+> \{\s*static constexpr [^{]*\{"),
     ("core/dynamics/cycles.cpp", r"const char\* wordOf\(CycleKind kind\) \{"),
 ]
@@ -202,7 +202,7 @@ def read_ui(found, root, path):
         if at in named or text in EXEMPT or text.startswith("##"): continue
         if not re.search(r"[A-Za-z]{2,}[,;:]? [A-Za-z]{2,}", text): continue
         before = code[max(0, at - 60):at]
-        if re.search(r"(Status::\w+\(\s*|#include |\+\s*)$", before) or "Status::" in code[
+        if re.search(r"(Status::\w+\(\s*|#include |\+\s*|\.alias = )$", before) or "Status::" in code[
                 code.rfind(";", 0, at) + 1:at]:
             continue
         found.faults.append(f'{where(at)}: "{text}" is shown in English, or the name of a thing: '

@@ -22,8 +22,9 @@ inline double cieLightness(const Colour& colour) {
 
 // Whether a screen can show it.
 inline bool inGamut(const Colour& colour) {
-    return std::ranges::all_of(std::array{colour.r, colour.g, colour.b},
-                               [](double value) { return value >= 0 && value <= 1; });
+    const std::array parts{colour.r, colour.g, colour.b};
+    return std::all_of(parts.begin(), parts.end(),
+                       [](double value) { return value >= 0 && value <= 1; });
 }
 
 }  // namespace versorium

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Averaged maps on the graphics processor: members are counted there as the processor counts them.
+// Averaged maps on the GPU: members are counted there as the CPU counts them.
 #include <gtest/gtest.h>
 
 #include <cmath>

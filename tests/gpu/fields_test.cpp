@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The graphics processor measures what the processor measures, to the precision of 24 bits.
+// The GPU measures what the CPU measures, to the precision of 24 bits.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ bool isWhole(FieldName field) {
            field == FieldName::escapeStep || field == FieldName::attractionStep;
 }
 
-// `reference` is the processor's value.
+// `reference` is the CPU's value.
 bool agree(FieldName field, double reference, double value) {
     // Squared norms beyond the range of 32 bits are infinite there, or undefined by ∞ - ∞.
     const double most = field == FieldName::logModulus ? 44.3 : 3e38;
@@ -57,7 +57,7 @@ std::vector<Raster<double>> onProcessor(const Scene& scene, const std::vector<Fi
 }
 
 // A field agrees in at least `least` percent of the pixels that are well conditioned: those whose
-// value the processor itself keeps when all starts move by kShift. On a chaotic set errors double
+// value the CPU itself keeps when all starts move by kShift. On a chaotic set errors double
 // with every step, and 100 steps leave nothing of 24 bits.
 void compare(const Scene& scene, double least, const std::vector<FieldName>& fields = kCarried) {
     GpuDevice gpu;

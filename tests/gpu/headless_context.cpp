@@ -31,7 +31,7 @@ EGLDisplay openDisplay() {
 
 std::string makeHeadlessContext() {
     if (display == EGL_NO_DISPLAY) {
-        // Results must not depend on the graphics processor of the machine that runs the tests.
+        // Results must not depend on the GPU of the machine that runs the tests.
         setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
         display = openDisplay();
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // An OpenGL ES 3 context without a window, through EGL, so that the graphics room can be tested on
-// machines that have neither screen nor graphics processor.
+// machines that have neither screen nor GPU.
 
 #include <string>
 

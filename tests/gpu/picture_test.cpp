@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a picture is made on the graphics processor, whatever it shows.
+// How a picture is made on the GPU, whatever it shows.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -182,7 +182,7 @@ TEST(Document, BareScenesAndWrappedOnes) {
     const Expected<Document> again =
         documentFromJson(*parseJson(printJson(documentToJson(document))));
     ASSERT_TRUE(again.ok()) << again.status().message();
-    EXPECT_EQ(again->kind, "scene");
+    EXPECT_EQ(again->kind, DocumentKind::scene);
     EXPECT_EQ(again->body, document.body);
     EXPECT_EQ(assetsToJson(again->assets), assetsToJson(document.assets));
     EXPECT_EQ(again->render, document.render);

@@ -140,7 +140,35 @@ TEST(Stage, ChangesWhatItNamesInAllViewsOrInOne) {
     state = after("views: starts");
     ASSERT_TRUE(state);
     EXPECT_EQ(state->views.size(), 1u);
-    EXPECT_FALSE(showsParameters(state->views[0]));
+    EXPECT_EQ(viewKind(state->views[0]), ViewKind::startingPoints);
+}
+
+// As --set does: a value by its path, also a part of a list, or a member of what has no table.
+TEST(Stage, TakesEveryValueByItsPath) {
+    Expected<Workspace> state = after(
+        "right.slice.center[0]: 0.3\ncolour.escaped.exponent: 2\nstudy.cycles: true\n"
+        "study: {\"most_period\": 5}");
+    ASSERT_TRUE(state) << state.status().message();
+    EXPECT_EQ(state->views[1].slice.centre[0], 0.3);
+    EXPECT_EQ(state->views[0].colour.escaped.exponent, 2);
+    EXPECT_TRUE(state->study.cycles);
+    EXPECT_EQ(state->study.mostPeriod, 5);
+    state = after("map: complex-rational\nlists.roots.scale: 2\nlists.poles.scale: 3\nroots: 1 0");
+    ASSERT_TRUE(state) << state.status().message();
+    for (const Scene& view : state->views) {
+        EXPECT_EQ(view.lists.at("roots").scale, 2);
+        EXPECT_EQ(view.lists.at("poles").scale, 3);
+        ASSERT_EQ(view.lists.at("roots").roots.size(), 1u);
+        EXPECT_EQ(view.lists.at("roots").roots[0].q[0], 1);
+    }
+}
+
+TEST(Stage, AnswersAnUnknownKeyWithTheNearestOnes) {
+    for (const char* line : {"colour.pallete: dusk", "right.colour.pallete: dusk"})
+        EXPECT_TRUE(contains(after(line).status().message(), "did you mean colour.palette"))
+            << line;
+    EXPECT_TRUE(contains(after("zzzzzzzzzzzz: 1").status().message(), "has no such key"));
+    EXPECT_TRUE(contains(after("orbit_steps: 3\norbit_at: 4").status().message(), "orbit_at"));
 }
 
 TEST(Stage, RefusesWhatItCannotDo) {

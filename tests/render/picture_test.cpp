@@ -17,7 +17,7 @@ void expectToRenderItself(const Scene& scene, const PictureOptions& options,
     ASSERT_TRUE(png.ok()) << name << ": " << png.status().message();
     const Expected<Document> document = documentFromBytes(*png);
     ASSERT_TRUE(document.ok()) << name << ": " << document.status().message();
-    EXPECT_EQ(document->kind, "scene");
+    EXPECT_EQ(document->kind, DocumentKind::scene);
     const Expected<Scene> again = sceneWithAssets(document->body, document->assets);
     ASSERT_TRUE(again.ok()) << name << ": " << again.status().message();
     const Expected<PictureOptions> read = pictureOptions(*document);

@@ -7,6 +7,7 @@
 #include "io/png.h"
 #include "render/movie.h"
 #include "ui/headless_gui.h"
+#include "ui/plots/plots.h"
 #include "ui/session/open_file.h"
 #include "workspace/export_document.h"
 
@@ -27,7 +28,7 @@ TEST(Analysis, FourPlacesAreMovedOneByOne) {
     workspace.pins.push_back({{"c", {-1, 0.25}}});
     ASSERT_TRUE(setAnalysis(workspace));
     ASSERT_EQ(workspace.views.size(), 5u);
-    EXPECT_TRUE(showsParameters(workspace.views[0]));
+    EXPECT_EQ(viewKind(workspace.views[0]), ViewKind::parameters);
     EXPECT_EQ(c(workspace, 1), (std::vector<double>{-1, 0.25}));
     for (std::size_t k = 1; k < 5; ++k)
         for (std::size_t other = 1; other < k; ++other)
@@ -42,7 +43,7 @@ TEST(Analysis, FourPlacesAreMovedOneByOne) {
     // Starting points are all views' own.
     moveMarker(workspace, 3, 0.5, 0.5);
     EXPECT_EQ(markerOf(workspace, 2), (std::array<double, 2>{0.5, 0.5}));
-    // Back to fewer views: all stand where the marked one stood.
+    // Back to fewer views: all stand where the focused one stood.
     setViewCount(workspace, 2);
     EXPECT_EQ(c(workspace, 0), (std::vector<double>{0.125, 0.5}));
     EXPECT_EQ(c(workspace, 1), (std::vector<double>{0.125, 0.5}));
@@ -80,7 +81,7 @@ TEST(Analysis, APlaceIsDraggedWithThePointer) {
     SilentHost host;
     HeadlessGui gui({600, 600});
     StudioContext context(host);
-    ASSERT_TRUE(setAnalysis(context.workspace));
+    ASSERT_TRUE(context.edit([](Workspace& w) { return setAnalysis(w); }));
     const auto view = [&] { drawView(context, 0, {0, 0}, {600, 600}); };
     for (int k = 0; k < 3; ++k) gui.frame(view);
     const auto place = [&](std::size_t k) {
@@ -110,20 +111,20 @@ TEST(Analysis, APlaceIsDraggedWithThePointer) {
 TEST(MotionPanel, WhatIsRecordedPlaysAgain) {
     SilentHost host;
     StudioContext context(host);
-    context.animation.running = false;
-    context.workspace.focused = 0;
-    context.record(true);
+    context.player.animation.running = false;
+    context.edit([&](Workspace& w) { w.focused = 0; });
+    context.player.record(true);
     for (int k = 0; k <= 30; ++k) {
         host.time = 1 + k / 30.0;
-        setSharedNumber(context.workspace, "c.re", -1 + k / 30.0);
-        context.workspace.views[0].slice.height = 3 * std::exp2(-k / 15.0);
-        context.player.recorder.take(movingScene(context.workspace), host.time);
+        context.edit([&](Workspace& w) { setSharedNumber(w, "c.re", -1 + k / 30.0); });
+        context.edit([&](Workspace& w) { w.views[0].slice.height = 3 * std::exp2(-k / 15.0); });
+        context.player.advance(1 / 30.0);
     }
-    context.record(false);
+    context.player.record(false);
     const Motion motion = context.workspace.motion;
     ASSERT_GE(motion.keys.size(), 2u);
     EXPECT_NEAR(motion.duration(), 2, 0.1);
-    context.showMotionAt(1.5);
+    context.player.showMotionAt(1.5);
     EXPECT_NEAR(context.workspace.views[1].parameters.at("c")[0], -0.5, 0.02);
     EXPECT_NEAR(context.workspace.views[0].slice.height, 1.5, 0.05);
     EXPECT_NE(context.workspace.views[1].slice.height, context.workspace.views[0].slice.height);
@@ -142,16 +143,16 @@ TEST(MotionPanel, KeyFramesAreSetMovedAndTakenAway) {
     SilentHost host;
     HeadlessGui gui({900, 160});
     StudioContext context(host);
-    context.animation.running = false;
-    context.setKey();
+    context.player.animation.running = false;
+    context.player.setKey();
     context.player.at = 2;
-    setSharedNumber(context.workspace, "c.re", -1);
-    context.setKey();
+    context.edit([&](Workspace& w) { setSharedNumber(w, "c.re", -1); });
+    context.player.setKey();
     ASSERT_EQ(context.workspace.motion.keys.size(), 2u);
-    context.showMotionAt(1);
+    context.player.showMotionAt(1);
     EXPECT_NEAR(sharedNumber(context.workspace, "c.re"), (-1 - 0.7269) / 2, 1e-12);
     // The second one is dragged along the line of time.
-    context.workspace.strip = Strip::motion;
+    context.edit([&](Workspace& w) { w.strip = Strip::motion; });
     const auto strip = [&] { drawTimeline(context); };
     for (int k = 0; k < 3; ++k) gui.frame(strip);
     ImGuiIO& io = ImGui::GetIO();
@@ -173,7 +174,7 @@ TEST(MotionPanel, KeyFramesAreSetMovedAndTakenAway) {
     gui.frame(strip);
     EXPECT_LT(context.workspace.motion.duration(), 1.7);
     EXPECT_GT(context.workspace.motion.duration(), 1.2);
-    context.removeKey();
+    context.player.removeKey();
     EXPECT_EQ(context.workspace.motion.keys.size(), 1u);
 }
 
@@ -181,11 +182,11 @@ TEST(MotionPanel, KeyFramesAreSetMovedAndTakenAway) {
 TEST(MotionPanel, IsSavedAsAnAnimation) {
     SilentHost host;
     StudioContext context(host);
-    context.animation.running = false;
-    context.setKey();
+    context.player.animation.running = false;
+    context.player.setKey();
     context.player.at = 1;
-    setSharedNumber(context.workspace, "c.im", 0.5);
-    context.setKey();
+    context.edit([&](Workspace& w) { setSharedNumber(w, "c.im", 0.5); });
+    context.player.setKey();
     context.exporting.motion = true;
     context.exporting.width = 64;
     const auto document = exportDocument(context.workspace, {1, 1}, context.exporting);
@@ -225,8 +226,10 @@ TEST(LayersPanel, ImagesLieBehindAndNumberedOnesFollowOneAnother) {
     EXPECT_FALSE(openBytes(context, "bad.png", std::vector<unsigned char>{1, 2, 3}).ok());
     // All views carry the files; those of a layer that goes are forgotten.
     EXPECT_EQ(context.workspace.views[0].assets.size(), 4u);
-    context.workspace.view().layers.erase(context.workspace.view().layers.begin());
-    dropUnnamedAssets(context.workspace);
+    context.edit([](Workspace& w) {
+        w.view().layers.erase(w.view().layers.begin());
+        dropUnnamedAssets(w);
+    });
     for (const Scene& view : context.workspace.views) EXPECT_EQ(view.assets.size(), 1u);
     const Expected<Workspace> again = workspaceFromJson(workspaceToJson(context.workspace));
     ASSERT_TRUE(again) << again.status().message();

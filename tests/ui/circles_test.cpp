@@ -18,15 +18,16 @@ namespace {
 // A disc of radius 0.5 whose modulus pulls inwards within and pushes outwards beyond it.
 StudioContext& discStudio(StudioContext& context) {
     context.newMap("shape-modulus-complex-rational");
-    for (Scene& scene : context.workspace.views) {
-        scene.shape.source = "disc(0.5)";
-        scene.iterations = 40;
-        // One simple root at 0: d is the identity's direction.
-        scene.lists.at("roots").roots = {{{0, 0, 0, 0}, 1}};
-    }
-    setSharedNumber(context.workspace, "alpha", 3);
-    setSharedNumber(context.workspace, "beta", 0.3);
-    context.touch();
+    context.edit([](Workspace& w) {
+        for (Scene& scene : w.views) {
+            scene.shape.source = "disc(0.5)";
+            scene.iterations = 40;
+            // One simple root at 0: d is the identity's direction.
+            scene.lists.at("roots").roots = {{{0, 0, 0, 0}, 1}};
+        }
+    });
+    context.edit([&](Workspace& w) { setSharedNumber(w, "alpha", 3); });
+    context.edit([&](Workspace& w) { setSharedNumber(w, "beta", 0.3); });
     return context;
 }
 
@@ -36,8 +37,7 @@ TEST(Circles, FollowTheRadialMapWhereTheDirectionIsTheIdentity) {
     discStudio(context);
     // r -> e^{3 (r - 0.5 - 0.3)}: its larger fixed point, 0.66, parts what stays from what leaves.
     for (const double radius : {0.05, 0.2, 0.35, 0.5, 0.8, 1.5, 3.0}) {
-        context.workspace.circles = {{{}, radius}};
-        context.touch();
+        context.edit([&](Workspace& w) { w.circles = {{{}, radius}}; });
         double r = radius;
         for (int n = 0; n < 40 && r <= 20; ++n) r = std::exp(3 * (r - 0.8));
         const auto& all = studyCircles(context, 1);
@@ -53,18 +53,19 @@ TEST(Circles, WhatIsCertainHoldsForEveryVersor) {
     SilentHost host;
     StudioContext context(host);
     discStudio(context);
-    for (Scene& scene : context.workspace.views) {
-        scene.shape.source = "star(5, 1.4, 0.7)";
-        scene.iterations = 12;
-    }
-    setSharedNumber(context.workspace, "alpha", 4);
-    setSharedNumber(context.workspace, "beta", 0);
+    context.edit([](Workspace& w) {
+        for (Scene& scene : w.views) {
+            scene.shape.source = "star(5, 1.4, 0.7)";
+            scene.iterations = 12;
+        }
+    });
+    context.edit([&](Workspace& w) { setSharedNumber(w, "alpha", 4); });
+    context.edit([&](Workspace& w) { setSharedNumber(w, "beta", 0); });
     int certain = 0, decided = 0;
     for (int seed = 1; seed <= 8; ++seed) {
         drawRoots(context, seed);
         for (const double radius : {0.1, 0.3, 0.5, 0.8, 1.0, 1.2, 2.0, 5.0}) {
-            context.workspace.circles = {{{}, radius}};
-            context.touch();
+            context.edit([&](Workspace& w) { w.circles = {{{}, radius}}; });
             const CircleStudy study = studyCircles(context, 1)[0];
             certain += study.certain ? 1 : 0;
             decided += study.fate == CircleFate::decided ? 1 : 0;
@@ -83,8 +84,7 @@ TEST(Circles, ArrowsStepAlongTheOrbit) {
     StudioContext context(host);
     discStudio(context);
     drawRoots(context, 3);
-    context.workspace.circles = {{{0.1, 0.05, 0, 0}, 0.2}};
-    context.touch();
+    context.edit([&](Workspace& w) { w.circles = {{{0.1, 0.05, 0, 0}, 0.2}}; });
     const CircleStudy first = studyCircles(context, 1)[0];
     context.stepOrbit(1);
     const CircleStudy second = studyCircles(context, 1)[0];
@@ -101,10 +101,10 @@ TEST(Circles, LieInTheSliceOfAQuaternionMap) {
     SilentHost host;
     StudioContext context(host);
     context.newMap("shape-modulus");
-    Scene& scene = context.workspace.views[1];
-    scene.slice.axes = {{{{"q.x", 1.0}}}, {{{"q.y", 1.0}}}};
-    context.workspace.circles = {{{0.1, 0, 0, 0.05}, 0.3}};
-    context.touch();
+    context.edit([](Workspace& w) {
+        w.views[1].slice.axes = {{{{"q.x", 1.0}}}, {{{"q.y", 1.0}}}};
+    });
+    context.edit([&](Workspace& w) { w.circles = {{{0.1, 0, 0, 0.05}, 0.3}}; });
     const auto& all = studyCircles(context, 1);
     ASSERT_EQ(all.size(), 1u);
     for (const auto& x : all[0].from) {
@@ -120,15 +120,14 @@ TEST(Circles, AreDroppedDraggedUndoneAndSaved) {
     StudioContext context(host);
     host.still = true;
     discStudio(context);
-    context.workspace.showRoots = false;
-    setSharedNumber(context.workspace, "z.re", 0.5);
+    context.edit([&](Workspace& w) { w.showRoots = false; });
+    context.edit([&](Workspace& w) { setSharedNumber(w, "z.re", 0.5); });
     context.record();
     dropCircle(context);
     ASSERT_EQ(context.workspace.circles.size(), 1u);
     EXPECT_EQ(context.workspace.circles[0].radius, 0.5) << "through the orbit's point";
-    setSharedNumber(context.workspace, "z.re", 0.1);
-    context.workspace.circles[0].radius = 0.3;
-    context.touch();
+    context.edit([&](Workspace& w) { setSharedNumber(w, "z.re", 0.1); });
+    context.edit([&](Workspace& w) { w.circles[0].radius = 0.3; });
     context.record();
     const auto view = [&] { drawView(context, 1, {0, 0}, {600, 600}); };
     for (int k = 0; k < 3; ++k) gui.frame(view);
@@ -192,10 +191,9 @@ TEST(Circles, OfExtremeMapsAreDefined) {
     HeadlessGui gui({300, 300});
     StudioContext context(host);
     discStudio(context);
-    setSharedNumber(context.workspace, "alpha", 1e9);
-    context.workspace.circles = {{{}, 0.3}, {{1e5, 0, 0, 0}, 1e6}};
-    context.workspace.basins = true;
-    context.touch();
+    context.edit([&](Workspace& w) { setSharedNumber(w, "alpha", 1e9); });
+    context.edit([&](Workspace& w) { w.circles = {{{}, 0.3}, {{1e5, 0, 0, 0}, 1e6}}; });
+    context.edit([&](Workspace& w) { w.basins = true; });
     for (int k = 0; k < 3; ++k) gui.frame([&] { drawView(context, 1, {0, 0}, {300, 300}); });
     EXPECT_EQ(studyCircles(context, 1).size(), 2u);
 }

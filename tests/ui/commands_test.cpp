@@ -7,6 +7,7 @@
 #include <set>
 
 #include "ui/headless_gui.h"
+#include "ui/keyboard.h"
 #include "ui/widgets/keys.h"
 
 namespace versorium {
@@ -85,7 +86,7 @@ TEST(Commands, RunByIdAndByChord) {
                 context.workspace.view().slice.height < height);
     ImGui::GetIO().AddInputCharacter('?');
     gui.frame([&] { handleKeys(context); });
-    EXPECT_TRUE(context.keysOpen);
+    EXPECT_TRUE(context.dialogs.keys);
     // "Take the chosen root away" can be had only where one is chosen.
     EXPECT_FALSE(runCommand(context, "roots.remove"));
 }

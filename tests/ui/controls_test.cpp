@@ -82,7 +82,7 @@ TEST(Controls, SetWhatTheySayAndRefuseTheRest) {
     EXPECT_TRUE(setControl(context, "layout", "4"));
     EXPECT_EQ(context.workspace.views.size(), 4u);
     // The orbit's start is the workspace's, whatever start the view's scene has.
-    context.workspace.view().start = {0, 0};
+    context.edit([&](Workspace& w) { w.view().start = {0, 0}; });
     EXPECT_TRUE(setControl(context, "z.re", "0"));
     EXPECT_EQ(sharedNumber(context.workspace, "z.re"), 0);
     EXPECT_TRUE(setControl(context, "z.re", "0.35"));

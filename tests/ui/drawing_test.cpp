@@ -74,7 +74,7 @@ TEST(Drawing, AStrokeOnTheFirstScreenBecomesAJuliaSet) {
     ASSERT_EQ(context.workspace.views[0].map, "shape-modulus-complex-rational");
     EXPECT_EQ(context.drawing.tool, Drawing::Tool::none);
     const Scene& scene = context.workspace.view();
-    ASSERT_FALSE(showsParameters(scene));
+    ASSERT_EQ(viewKind(scene), ViewKind::startingPoints);
     // The shape lies where it was drawn: a circle of 120 pixels around the middle.
     const auto corners = parseOutline(scene.shape.source);
     ASSERT_TRUE(corners) << corners.status().message();
@@ -122,12 +122,13 @@ TEST(Drawing, TooLittleIsSaidAndChangesNothing) {
     hand.click(200, 300);
     hand.click(400, 300);
     finishOutline(context);
-    EXPECT_NE(context.notice.find("three corners"), std::string::npos);
+    EXPECT_NE(context.notices.last().find("three corners"), std::string::npos);
     // Three corners on a line.
     for (float x : {200.f, 300.f, 400.f}) hand.click(x, 300);
     finishOutline(context);
-    EXPECT_NE(context.notice.find("one line"), std::string::npos) << context.notice;
-    context.workspace.focused = 0;  // the tool went to the view of starting points
+    EXPECT_NE(context.notices.last().find("one line"), std::string::npos) << context.notices.last();
+    context.edit(
+        [&](Workspace& w) { w.focused = 0; });  // the tool went to the view of starting points
     EXPECT_EQ(workspaceToJson(context.workspace).dump(), before);
 }
 
@@ -143,7 +144,7 @@ TEST(Drawing, TheBrushPaintsAlphaAndTheEraserTakesItAway) {
     hand.stroke({{300, 300}, {340, 300}, {380, 300}, {420, 300}});
     const auto& discs = context.workspace.view().alphaOverSpace.discs;
     EXPECT_GT(discs.size(), 3u);
-    const OrbitProgram* program = context.program(view);
+    const OrbitProgram* program = context.bound.program(view);
     ASSERT_NE(program, nullptr);
     ASSERT_NE(program->field->alpha(), nullptr);
     // The value of the brush along the stroke, the usual one far from it. The grid that dabs are
@@ -194,7 +195,7 @@ TEST(Shapes, TheSignInPrintStandsBesideTheOtherOne) {
     SilentHost host;
     StudioContext context(host);
     ASSERT_TRUE(setShape(context, "star(5, 0.9, 0.45)").ok());
-    setSharedNumber(context.workspace, "beta", 0.1);
+    context.edit([&](Workspace& w) { setSharedNumber(w, "beta", 0.1); });
     showAsPrinted(context);
     const auto& views = context.workspace.views;
     ASSERT_EQ(views.size(), 2u);
@@ -202,7 +203,7 @@ TEST(Shapes, TheSignInPrintStandsBesideTheOtherOne) {
     EXPECT_EQ(views[1].parameters.at("as_printed")[0], 1);
     EXPECT_EQ(views[0].slice, views[1].slice);
     // Other numbers are those of both; a link keeps the two apart.
-    setSharedNumber(context.workspace, "alpha", 3);
+    context.edit([&](Workspace& w) { setSharedNumber(w, "alpha", 3); });
     EXPECT_EQ(views[1].parameters.at("alpha")[0], 3);
     const Expected<Workspace> again = workspaceFromJson(workspaceToJson(context.workspace));
     ASSERT_TRUE(again) << again.status().message();

@@ -10,6 +10,8 @@
 #include "scene/properties.h"
 #include "ui/controls/controls.h"
 #include "ui/headless_gui.h"
+#include "ui/panels/panels.h"
+#include "ui/plots/plots.h"
 #include "ui/session/ensemble_change.h"
 #include "ui/widgets/help.h"
 
@@ -73,9 +75,9 @@ TEST(Ensemble, WhatComesOntoAnAxisIsDrawnNoLonger) {
     SilentHost host;
     StudioContext context(host);
     context.mark(1);
-    ASSERT_TRUE(averageOverNumber(context.workspace.view()).ok());
+    ASSERT_TRUE(context.edit([](Workspace& w) { return averageOverNumber(w.view()); }).ok());
     EXPECT_EQ(context.workspace.view().ensemble.discs.size(), 1u);
-    setAxis(context.workspace, 0, "c.re");
+    context.edit([&](Workspace& w) { setAxis(w, 0, "c.re"); });
     EXPECT_FALSE(context.workspace.view().ensemble.varies());
     EXPECT_TRUE(workspaceFromJson(workspaceToJson(context.workspace)).ok());
 }
@@ -128,11 +130,12 @@ TEST(Ensemble, ThePanelDraws) {
     const auto panel = [&] { drawEnsemble(context); };
     gui.frame(panel);
     context.newMap("shape-modulus");
-    ASSERT_TRUE(averageOverVersors(context.workspace.view()).ok());
-    context.workspace.view().ensemble.roots->shapeBox = false;
-    context.workspace.view().ensemble.roots->draw.arrangement = RootArrangement::clustered;
-    addRange(context.workspace.view(), "alpha");
-    context.touch();
+    ASSERT_TRUE(context.edit([](Workspace& w) { return averageOverVersors(w.view()); }).ok());
+    context.edit([&](Workspace& w) { w.view().ensemble.roots->shapeBox = false; });
+    context.edit([&](Workspace& w) {
+        w.view().ensemble.roots->draw.arrangement = RootArrangement::clustered;
+    });
+    context.edit([&](Workspace& w) { addRange(w.view(), "alpha"); });
     const auto before = workspaceToJson(context.workspace);
     for (float y = 4; y < 900; y += 11) {
         ImGui::GetIO().AddMousePosEvent(150, y);
@@ -192,9 +195,10 @@ TEST(ProfileStrip, OfADiscIsAStraightLine) {
     HeadlessGui gui({900, 300});
     StudioContext context(host);
     context.newMap("shape-modulus-complex-rational");
-    for (Scene& scene : context.workspace.views) scene.shape.source = "sphere(0.8)";
-    setSharedNumber(context.workspace, "alpha", 4);
-    context.touch();
+    context.edit([&](Workspace& w) {
+        for (Scene& scene : w.views) scene.shape.source = "sphere(0.8)";
+    });
+    context.edit([&](Workspace& w) { setSharedNumber(w, "alpha", 4); });
     const ProfileStudy* study = &studyProfile(context);
     ASSERT_TRUE(study->profile);
     EXPECT_FALSE(study->ended);
@@ -225,7 +229,7 @@ TEST(ProfileStrip, OfADiscIsAStraightLine) {
     EXPECT_NE(profileAt(profile, 0.01).find("stays"), std::string::npos);
     EXPECT_NE(profileAt(profile, profile.radius.back()).find("leaves"), std::string::npos);
 
-    context.workspace.strip = Strip::profile;
+    context.edit([&](Workspace& w) { w.strip = Strip::profile; });
     const auto strip = [&] { drawOrbitStrip(context); };
     for (int k = 0; k < 3; ++k) gui.frame(strip);
     ImGui::GetIO().AddMousePosEvent(450, 150);
@@ -233,11 +237,9 @@ TEST(ProfileStrip, OfADiscIsAStraightLine) {
     EXPECT_TRUE(gui.tooltipShown());
     // α changes the profile; colours do not.
     const RadialProfile* kept = context.studies.profile.profile.get();
-    context.workspace.view().colour.palette = "fire";
-    context.touch();
+    context.edit([&](Workspace& w) { w.view().colour.palette = "fire"; });
     EXPECT_EQ(studyProfile(context).profile.get(), kept);
-    setSharedNumber(context.workspace, "alpha", 6);
-    context.touch();
+    context.edit([&](Workspace& w) { setSharedNumber(w, "alpha", 6); });
     EXPECT_NEAR(studyProfile(context).profile->modulus[0], std::exp(-4.8), 1e-12);
     // A map without a shape has none.
     context.newMap("quadratic");

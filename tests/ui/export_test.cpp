@@ -41,7 +41,7 @@ TEST(Export, APlateIsWhatTheCommandLineMakesOfIt) {
         ASSERT_TRUE(png.ok()) << png.status().message();
         const Expected<Document> carried = documentFromBytes(*png);
         ASSERT_TRUE(carried.ok());
-        EXPECT_EQ(carried->kind, "plate");
+        EXPECT_EQ(carried->kind, DocumentKind::plate);
         const Expected<PlateDocument> plate = plateFromDocument(*carried);
         ASSERT_TRUE(plate.ok()) << plate.status().message();
         EXPECT_EQ(plate->plate.panels.size(), all ? 2u : 1u);
@@ -97,8 +97,8 @@ TEST(Export, WhatIsCancelledSaysSo) {
     SilentHost host;
     StudioContext context(host);
     host.outcome = Status::cancelled();
-    takeExport(context);
-    EXPECT_EQ(context.notice, "The export was cancelled; nothing was written");
+    context.takeExport();
+    EXPECT_EQ(context.notices.last(), "The export was cancelled; nothing was written");
 }
 
 TEST(Export, IsAskedForAsTheDialogSays) {
@@ -116,7 +116,7 @@ TEST(Export, IsAskedForAsTheDialogSays) {
     context.exporting.millimetres = 2000;
     context.startExport();
     EXPECT_EQ(host.exports.size(), 2u);
-    EXPECT_NE(context.notice.find("too large"), std::string::npos);
+    EXPECT_NE(context.notices.last().find("too large"), std::string::npos);
 }
 
 }  // namespace

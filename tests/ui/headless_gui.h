@@ -12,6 +12,7 @@
 #include "imgui_internal.h"
 #include "ui/backend/software_canvas.h"
 #include "ui/session/context.h"
+#include "ui/views/view.h"
 
 namespace versorium {
 
@@ -19,8 +20,9 @@ class SilentHost : public Host {
   public:
     double time = 0;
     std::string copied;
+    std::string announced;  // the last thing that was
     // There may be no OpenGL where tests run.
-    std::map<std::string, std::string> kept{{"renderer", "processor"}};
+    std::map<std::string, std::string> kept{{"renderer", "CPU"}};
     std::vector<ExportRequest> exports;
     std::vector<WorkRequest> requests;
     std::optional<Expected<std::string>> outcome;
@@ -30,6 +32,7 @@ class SilentHost : public Host {
     double now() const override { return time; }
     void wake() override {}
     std::string clipboard() override { return copied; }
+    void announce(const std::string& text) override { announced = text; }
     void setClipboard(const std::string& text) override { copied = text; }
     void requestWork(WorkRequest request) override { requests.push_back(std::move(request)); }
     std::optional<WorkAnswer> takeAnswer() override { return std::nullopt; }

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "ui/controls/controls.h"
+#include "ui/dialogs/dialogs.h"
 #include "ui/headless_gui.h"
+#include "ui/panels/panels.h"
 #include "ui/widgets/shown_number.h"
 
 namespace versorium {
@@ -189,7 +191,7 @@ TEST(StudioLanguage, OpenPartsStayOpenWhenItChanges) {
     HeadlessGui gui({1280, 800});
     StudioContext context(host);
     const auto dialogs = [&] { drawDialogs(context); };
-    context.exportOpen = true;
+    context.dialogs.exporting = true;
     for (int k = 0; k < 3; ++k) gui.frame(dialogs);
     ImGuiContext& imgui = *ImGui::GetCurrentContext();
     ASSERT_EQ(imgui.OpenPopupStack.Size, 1);

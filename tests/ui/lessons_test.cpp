@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Lessons in the studio: steps, what a learner may change, and what a teacher's link locks.
 #include "ui/session/lessons.h"
+#include "ui/controls/commands.h"
+#include "ui/dialogs/dialogs.h"
+#include "ui/lesson/lesson_pane.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +13,7 @@
 #include "ui/controls/access.h"
 #include "ui/controls/controls.h"
 #include "ui/session/open_file.h"
+#include "ui/session/values.h"
 #include "ui/studio.h"
 
 namespace versorium {
@@ -150,12 +154,11 @@ TEST(Lessons, AGoalLightsUpTheMomentTheStateSatisfiesIt) {
     host.time += 1;
     noteGoal(context);
     EXPECT_FALSE(context.lessons.now->session.state().reached);
-    context.workspace = *context.lessons.now->session.step().solution;
-    context.touch();
+    context.edit([&](Workspace& w) { w = *context.lessons.now->session.step().solution; });
     host.time += 1;
     noteGoal(context);
     EXPECT_TRUE(context.lessons.now->session.state().reached);
-    EXPECT_TRUE(contains(context.notice, "Goal reached"));
+    EXPECT_TRUE(contains(context.notices.last(), "Goal reached"));
 }
 
 TEST(Lessons, ForeignOnesOpenAsFilesAndFaultsNameTheirLine) {
@@ -189,14 +192,13 @@ TEST(TeacherLink, LocksWhateverHandWouldChange) {
     EXPECT_FALSE(setControl(context, "iterations", "7"));
     EXPECT_FALSE(setControl(context, "map", "x"));
     // By any other way: it is taken back.
-    context.workspace.views[0].iterations = 7;
-    context.touch();
+    context.edit([&](Workspace& w) { w.views[0].iterations = 7; });
     keepLocks(context);
     EXPECT_EQ(workspaceToJson(context.workspace), teachers);
     context.newMap("quadratic");
     keepLocks(context);
     EXPECT_EQ(workspaceToJson(context.workspace), teachers);
-    EXPECT_TRUE(contains(context.notice, "locked"));
+    EXPECT_TRUE(contains(context.notices.last(), "locked"));
     // What is open is the learner's.
     ASSERT_TRUE(setControl(context, "r", "3.3"));
     keepLocks(context);
@@ -216,9 +218,9 @@ TEST(TeacherLink, IsMadeInItsDialog) {
     HeadlessGui gui;
     StudioContext context(host);
     ASSERT_TRUE(openLesson(context, kFirst, 1).ok());
-    openTeacherDialog(context);
-    context.handing.link.byStep = true;
-    context.handing.link.rest = Access::hidden;
+    context.dialogs.teacher = true;
+    context.panels.of<TeacherDialog>().link.byStep = true;
+    context.panels.of<TeacherDialog>().link.rest = Access::hidden;
     for (int k = 0; k < 3; ++k) gui.frame([&] { drawDialogs(context); });
     copyTeacherLink(context, false);
     EXPECT_EQ(host.copied, "https://example.org/v/#lesson=1-orbits&step=2&rest=step");

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/headless_gui.h"
+#include "ui/marks/mark.h"
 #include "ui/session/view_plane.h"
 
 namespace versorium {
@@ -94,7 +95,8 @@ TEST(Motion, TwoFingersMoveTheViewAndNotTheRing) {
     ImVec2 middle = planeOf(context, 1).at(ring[0], ring[1]);
     const double height = context.workspace.views[1].slice.height;
     const Json parameters = workspaceToJson(context.workspace)["point"];
-    context.views[1].drag = ViewState::Drag::marker;
+    // A finger has begun to drag the ring.
+    context.views[1].drag = {.mark = &ringMark, .move = [](const ViewFrame&) {}};
     for (int k = 0; k < 10; ++k) {
         const ImVec2 next{middle.x + 4, middle.y - 3};
         const double u = planeOf(context, 1).u(middle.x), v = planeOf(context, 1).v(middle.y);
@@ -104,7 +106,8 @@ TEST(Motion, TwoFingersMoveTheViewAndNotTheRing) {
         EXPECT_NEAR(planeOf(context, 1).v(next.y), v, 1e-6);
         middle = next;
     }
-    EXPECT_NE(context.views[1].drag, ViewState::Drag::marker);
+    EXPECT_EQ(context.views[1].drag.mark, nullptr);
+    EXPECT_FALSE(context.views[1].drag.move);
     EXPECT_EQ(workspaceToJson(context.workspace)["point"], parameters);
     EXPECT_NEAR(context.workspace.views[1].slice.height, height / std::pow(1.1, 10), 1e-9);
     EXPECT_FALSE(context.pinch({900, 100}, {900, 110}, 1));

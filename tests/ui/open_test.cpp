@@ -7,6 +7,7 @@
 #include "io/png.h"
 #include "plate/plate_picture.h"
 #include "render/bind.h"
+#include "ui/dialogs/dialogs.h"
 #include "ui/headless_gui.h"
 #include "ui/host/worker.h"
 #include "ui/session/open_file.h"
@@ -45,7 +46,8 @@ TEST(Open, AMeshAndAnImageBecomeTheShape) {
             ASSERT_TRUE(status.ok()) << status.message();
             EXPECT_EQ(context.workspace.views[0].map,
                       takesOne ? "shape-modulus-power" : "shape-modulus");
-            EXPECT_NE(context.notice.find(name), std::string::npos) << context.notice;
+            EXPECT_NE(context.notices.last().find(name), std::string::npos)
+                << context.notices.last();
             // The scene holds all it needs, in every view, there and back.
             for (const Scene& scene : context.workspace.views) {
                 const Expected<Scene> again = sceneFromJson(sceneToJson(scene));
@@ -71,8 +73,8 @@ TEST(Open, AMeshComesAsAGridFromTheHost) {
     ASSERT_TRUE(openBytes(context, "tetra.obj",
                           {reinterpret_cast<const unsigned char*>(mesh.data()), mesh.size()})
                     .ok());
-    EXPECT_EQ(context.orbitProgram(), nullptr);
-    EXPECT_EQ(context.program(0), nullptr);
+    EXPECT_EQ(context.bound.orbitProgram(), nullptr);
+    EXPECT_EQ(context.bound.program(0), nullptr);
     ASSERT_EQ(host.requests.size(), 1u) << "one request for all views";
     EXPECT_TRUE(std::holds_alternative<GridJob>(host.requests[0].job));
     Worker worker;
@@ -80,23 +82,24 @@ TEST(Open, AMeshComesAsAGridFromTheHost) {
     WorkAnswer answer = compute(worker, host.requests[0], job);
     EXPECT_EQ(answer.message, "");
     context.takeGrid(answer);
-    const OrbitProgram* program = context.orbitProgram();
+    const OrbitProgram* program = context.bound.orbitProgram();
     ASSERT_NE(program, nullptr);
     const std::vector<double>& values = program->field->grid()->values;
     EXPECT_LT(*std::min_element(values.begin(), values.end()), 0);
     EXPECT_GT(program->field->at(3.0, 0.0, 0.0), 1);
-    EXPECT_GT(context.orbit().size(), 1u);
-    context.program(0);
+    EXPECT_GT(context.bound.orbit().size(), 1u);
+    context.bound.program(0);
     EXPECT_EQ(host.requests.size(), 1u);
     // Another resolution is another grid; one that cannot be made is asked for once.
-    for (Scene& scene : context.workspace.views) scene.shape.resolution = 20;
-    context.touch();
-    EXPECT_EQ(context.orbitProgram(), nullptr);
+    context.edit([&](Workspace& w) {
+        for (Scene& scene : w.views) scene.shape.resolution = 20;
+    });
+    EXPECT_EQ(context.bound.orbitProgram(), nullptr);
     ASSERT_EQ(host.requests.size(), 2u);
     answer = answerTo(host.requests[1].id, GridJob{});
     answer.message = "no";
     context.takeGrid(answer);
-    EXPECT_EQ(context.orbitProgram(), nullptr);
+    EXPECT_EQ(context.bound.orbitProgram(), nullptr);
     EXPECT_EQ(host.requests.size(), 2u);
 }
 
@@ -193,13 +196,13 @@ TEST(Open, TheListOfFilesGoesByKeys) {
     context.chooseFile();
     for (int k = 0; k < 3; ++k) gui.frame(dialog);
     // What cannot be opened is not offered.
-    ASSERT_EQ(context.files.folder.entries.size(), 2u);
+    ASSERT_EQ(context.panels.of<FileList>().folder.entries.size(), 2u);
     press(ImGuiKey_Enter);
-    EXPECT_EQ(context.files.folder.path, "/a/b");
+    EXPECT_EQ(context.panels.of<FileList>().folder.path, "/a/b");
     press(ImGuiKey_DownArrow);
     press(ImGuiKey_Enter);
     EXPECT_EQ(host.read, "/a/b/x.json");
-    EXPECT_FALSE(context.fileOpen);
+    EXPECT_FALSE(context.dialogs.files);
     EXPECT_EQ(context.workspace.views[0].map, "logistic");
 }
 

@@ -4,7 +4,12 @@
 #include <cmath>
 
 #include "io/document.h"
+#include "ui/controls/commands.h"
+#include "ui/dialogs/dialogs.h"
 #include "ui/headless_gui.h"
+#include "ui/keyboard.h"
+#include "ui/panels/panels.h"
+#include "ui/plots/plots.h"
 #include "ui/plots/web_diagram.h"
 #include "ui/widgets/help.h"
 #include "ui/widgets/palette_stops.h"
@@ -47,27 +52,24 @@ TEST(Help, EveryControlOfTheInspectorExplainsItself) {
     StudioContext context(host);
     const auto inspector = [&] { drawInspector(context); };
     expectHelpEverywhere(gui, inspector, "quadratic");
-    Colouring& colour = context.workspace.view().colour;
-    colour.ownPalette = paletteToJson(ownPaletteFrom(*paletteNamed("versorium")));
-    colour.range = {1, 500};
-    context.paletteStop = 1;
-    context.touch();
+    context.edit([](Workspace& w) {
+        w.view().colour.ownPalette = paletteToJson(ownPaletteFrom(*paletteNamed("versorium")));
+        w.view().colour.range = {1, 500};
+    });
+    context.panels.of<PaletteStopChoice>().at = 1;
     expectHelpEverywhere(gui, inspector, "a palette of its own");
-    colour.rule = ColourRule::gradient;
-    context.touch();
+    context.edit([](Workspace& w) { w.view().colour.rule = ColourRule::gradient; });
     expectHelpEverywhere(gui, inspector, "gradient");
     context.newMap("logistic");
     expectHelpEverywhere(gui, inspector, "logistic");
     context.newMap("planar");
     context.mark(0);
-    context.workspace.study = {true, 3, true, true};
-    context.workspace.compared = {0.5, 0.5};
-    context.touch();
+    context.edit([&](Workspace& w) { w.study = {true, 3, true, true}; });
+    context.edit([&](Workspace& w) { w.compared = {0.5, 0.5}; });
     context.record();
     expectHelpEverywhere(gui, inspector, "planar");
     context.newMap("shape-modulus");
-    context.workspace.view().layers.resize(2);
-    context.touch();
+    context.edit([&](Workspace& w) { w.view().layers.resize(2); });
     expectHelpEverywhere(gui, inspector, "shape-modulus");
 }
 
@@ -111,7 +113,7 @@ TEST(Formulas, AreTypedShownRefusedAndUndone) {
         drawInspector(context);
         drawDialogs(context);
     };
-    context.searchOpen = true;
+    context.dialogs.find = true;
     for (int k = 0; k < 3; ++k) gui.frame(all);
     io.AddInputCharactersUTF8("type a formula");
     for (int k = 0; k < 3; ++k) gui.frame(all);
@@ -133,8 +135,7 @@ TEST(Formulas, AreTypedShownRefusedAndUndone) {
     ASSERT_NE(context.workspace.views[0].formula, nullptr);
     EXPECT_EQ(context.workspace.views[0].formula->formula().text, "z^3 - a*z + c");
     context.record();
-    setSharedNumber(context.workspace, "c.re", 0.25);
-    context.touch();
+    context.edit([&](Workspace& w) { setSharedNumber(w, "c.re", 0.25); });
     context.record();
     // The next formula keeps what it has in common with this one.
     ASSERT_TRUE(applyFormula(context, "z^4 + c").ok());
@@ -161,8 +162,9 @@ TEST(Formulas, SavedOnesComeBackWithTheNextStart) {
     ASSERT_EQ(context.formulas.all().size(), 2u);
     EXPECT_EQ(context.formulas.all()[1].text, "c*sin(z)");
     const auto found = [&](const std::string& question, const std::string& name) {
-        for (const Command& command : formulaCommands(context, question))
-            if (command.label.find(name) != std::string::npos) return command.run(), true;
+        for (const Command& command : findable(context, question))
+            if (command.id.starts_with("formula.") && command.label.find(name) != std::string::npos)
+                return command.run(), true;
         return false;
     };
     EXPECT_TRUE(found("", "tricorn"));
@@ -186,11 +188,11 @@ TEST(Help, EveryControlOfTheOrbitStripExplainsItself) {
     const auto strip = [&] { drawOrbitStrip(context); };
     expectHelpEverywhere(gui, strip, "series");
     context.newMap("logistic");
-    context.workspace.strip = Strip::web;
+    context.edit([&](Workspace& w) { w.strip = Strip::web; });
     expectHelpEverywhere(gui, strip, "web");
-    context.workspace.strip = Strip::diagram;
+    context.edit([&](Workspace& w) { w.strip = Strip::diagram; });
     expectHelpEverywhere(gui, strip, "diagram");
-    context.setKey();
+    context.player.setKey();
     context.player.key = 0;
     expectHelpEverywhere(gui, strip, "motion");
 }
@@ -198,7 +200,7 @@ TEST(Help, EveryControlOfTheOrbitStripExplainsItself) {
 TEST(Orbit, StepsForwardAndBackAndGrowsAtItsEnd) {
     SilentHost host;
     StudioContext context(host);
-    context.workspace.orbitSteps = 3;
+    context.edit([&](Workspace& w) { w.orbitSteps = 3; });
     for (int k = 1; k <= 5; ++k) {
         context.stepOrbit(1);
         EXPECT_EQ(context.workspace.orbitAt, k);
@@ -218,14 +220,12 @@ TEST(Web, KnowsWhichMapsKeepTheRealLine) {
     SilentHost host;
     StudioContext context(host);
     const auto keeps = [&] {
-        const OrbitProgram* program = context.orbitProgram();
+        const OrbitProgram* program = context.bound.orbitProgram();
         return program && keepsRealLine(*program, 0);
     };
-    setSharedNumber(context.workspace, "c.im", 0);
-    context.touch();
+    context.edit([&](Workspace& w) { setSharedNumber(w, "c.im", 0); });
     EXPECT_TRUE(keeps());
-    setSharedNumber(context.workspace, "c.im", 0.1);
-    context.touch();
+    context.edit([&](Workspace& w) { setSharedNumber(w, "c.im", 0.1); });
     EXPECT_FALSE(keeps());
     context.newMap("logistic");
     EXPECT_TRUE(keeps());
@@ -236,9 +236,8 @@ TEST(Web, DrawsTheLogisticMap) {
     SilentHost host;
     StudioContext context(host);
     context.newMap("logistic");
-    setSharedNumber(context.workspace, "r", 3.5);
-    context.touch();
-    const OrbitProgram* program = context.orbitProgram();
+    context.edit([&](Workspace& w) { setSharedNumber(w, "r", 3.5); });
+    const OrbitProgram* program = context.bound.orbitProgram();
     ASSERT_TRUE(program);
     const std::vector<double> graph = graphOf(*program, 3.5, 0, 1, 5);
     for (std::size_t k = 0; k < 5; ++k) {
@@ -294,7 +293,7 @@ TEST(Borders, AreTypedWhileTheOppositeOneStays) {
 TEST(Ranges, TravelWithTheWorkspace) {
     SilentHost host;
     StudioContext context(host);
-    context.workspace.ranges["c.re"] = {-0.5, 0.25};
+    context.edit([&](Workspace& w) { w.ranges["c.re"] = {-0.5, 0.25}; });
     const Json json = workspaceToJson(context.workspace);
     const Expected<Workspace> again = workspaceFromJson(json);
     ASSERT_TRUE(again.ok()) << again.status().message();
@@ -313,8 +312,8 @@ TEST(Keys, AreNotLostWhenTheyGoDownAndUpWithinAFrame) {
     gui.frame(keys);
     const double before = sharedNumber(context.workspace, "c.re");
     for (int round = 0; round < 3; ++round) {
-        setSharedNumber(context.workspace, "c.re", 0.125);
-        context.history.record(context.workspace);
+        context.edit([&](Workspace& w) { setSharedNumber(w, "c.re", 0.125); });
+        context.edited.record();
         ImGuiIO& io = ImGui::GetIO();
         for (const bool down : {true, false}) {
             // Letting go may come in either order.
@@ -335,8 +334,8 @@ TEST(Keys, KnowTheModifierThatWasHeldWhenTheyWentDown) {
     const auto keys = [&] { handleKeys(context); };
     gui.frame(keys);
     const double before = sharedNumber(context.workspace, "c.re");
-    setSharedNumber(context.workspace, "c.re", 0.125);
-    context.history.record(context.workspace);
+    context.edit([&](Workspace& w) { setSharedNumber(w, "c.re", 0.125); });
+    context.edited.record();
     ImGuiIO& io = ImGui::GetIO();
     io.AddKeyEvent(ImGuiMod_Ctrl, true);
     gui.frame(keys);
@@ -361,8 +360,7 @@ TEST(Gallery, KeepsRecentScenesFromOneStartToTheNext) {
     {
         StudioContext context(host);
         for (int k = 0; k < 3; ++k) {
-            setSharedNumber(context.workspace, "c.re", 0.1 * k);
-            context.touch();
+            context.edit([&](Workspace& w) { setSharedNumber(w, "c.re", 0.1 * k); });
             context.record();
         }
         ASSERT_EQ(context.gallery.recent().size(), 1u);
@@ -373,7 +371,7 @@ TEST(Gallery, KeepsRecentScenesFromOneStartToTheNext) {
         EXPECT_EQ(context.gallery.recent().size(), 3u);
         for (int k = 0; k < 40; ++k) {
             context.newMap("quadratic");
-            setSharedNumber(context.workspace, "c.re", 1.0 + k);
+            context.edit([&](Workspace& w) { setSharedNumber(w, "c.re", 1.0 + k); });
             context.record();
         }
         EXPECT_EQ(context.gallery.recent().size(), Gallery::kMostRecent);
@@ -390,7 +388,7 @@ TEST(Gallery, OpensByKeysAndAsksForItsPicturesOneByOne) {
     SilentHost host;
     HeadlessGui gui;
     StudioContext context(host);
-    context.galleryOpen = true;
+    context.dialogs.gallery = true;
     const auto dialog = [&] { drawGallery(context); };
     const auto press = [&](ImGuiKey key) {
         ImGui::GetIO().AddKeyEvent(key, true);
@@ -404,10 +402,10 @@ TEST(Gallery, OpensByKeysAndAsksForItsPicturesOneByOne) {
     press(ImGuiKey_RightArrow);
     press(ImGuiKey_RightArrow);
     press(ImGuiKey_LeftArrow);
-    EXPECT_EQ(context.galleryAt, 1);
+    EXPECT_EQ(context.panels.of<GalleryPlace>().at, 1);
     const std::string name = context.gallery.presets()[1].preset;
     press(ImGuiKey_Enter);
-    EXPECT_FALSE(context.galleryOpen);
+    EXPECT_FALSE(context.dialogs.gallery);
     EXPECT_EQ(sceneToJson(context.workspace.view()), sceneToJson(*presetNamed(name)));
 }
 
@@ -415,7 +413,7 @@ TEST(Help, EveryEntryOfTheGalleryExplainsItself) {
     SilentHost host;
     HeadlessGui gui({700, 500});
     StudioContext context(host);
-    context.galleryOpen = true;
+    context.dialogs.gallery = true;
     expectHelpEverywhere(
         gui,
         [&] {
@@ -429,7 +427,7 @@ TEST(Help, EveryControlOfTheExportExplainsItself) {
     SilentHost host;
     HeadlessGui gui({560, 420});
     StudioContext context(host);
-    context.exportOpen = true;
+    context.dialogs.exporting = true;
     for (const bool plate : {false, true}) {
         context.exporting.plate = plate;
         const auto dialog = [&] {
@@ -444,7 +442,7 @@ TEST(Help, EveryControlOfTheSearchExplainsItself) {
     SilentHost host;
     HeadlessGui gui({600, 500});
     StudioContext context(host);
-    context.searchOpen = true;
+    context.dialogs.find = true;
     const auto dialog = [&] {
         drawDialogs(context);
         ImGui::Dummy({1, 480});

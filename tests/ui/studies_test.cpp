@@ -11,8 +11,10 @@
 #include "base/embedded.h"
 #include "io/document.h"
 #include "render/system_of.h"
+#include "ui/controls/commands.h"
 #include "ui/controls/controls.h"
 #include "ui/headless_gui.h"
+#include "ui/plots/plots.h"
 #include "ui/session/open_file.h"
 #include "ui/session/planar_change.h"
 
@@ -35,13 +37,13 @@ struct StillStudio {
         rest();
     }
     void rest() {
-        context.animation.running = false;
+        context.player.animation.running = false;
         context.record();
     }
 };
 
 std::string axesOf(const Workspace& workspace) {
-    const int view = parameterViewOf(workspace);
+    const int view = viewOfKind(workspace, ViewKind::parameters);
     if (view < 0) return "none";
     const auto& axes = workspace.views[static_cast<std::size_t>(view)].slice.axes;
     return axes[0].terms[0].first + " " + axes[1].terms[0].first;
@@ -82,7 +84,7 @@ TEST(PlanarPanel, AnyPairOfCoefficientsGivesASet) {
     Workspace only = ofPreset("planar");
     only.focused = 1;
     setViewCount(only, 1);
-    ASSERT_FALSE(showsParameters(only.views[0]));
+    ASSERT_EQ(viewKind(only.views[0]), ViewKind::startingPoints);
     Binder binder;
     for (int a = 0; a < 30; ++a)
         for (int b = 0; b < a; ++b) {
@@ -187,9 +189,8 @@ TEST(PlanarChange, ReadsPolynomialsOffFormulas) {
     StillStudio studio("mandelbrot");
     StudioContext& context = studio.context;
     ASSERT_TRUE(applyFormula(context, "2*z^4 - (1 + 3i)*z^3 + z/4 + c; c = 0.5 - 0.25i").ok());
-    setSharedNumber(context.workspace, "c.re", 0.5);
-    setSharedNumber(context.workspace, "c.im", -0.25);
-    context.touch();
+    context.edit([&](Workspace& w) { setSharedNumber(w, "c.re", 0.5); });
+    context.edit([&](Workspace& w) { setSharedNumber(w, "c.im", -0.25); });
     const auto polynomial = polynomialOf(context);
     ASSERT_TRUE(polynomial);
     const ComplexPolynomial expected{{{{0.5, -0.25}, {0.25, 0}, {0, 0}, {-1, -3}, {2, 0}}}};
@@ -209,10 +210,10 @@ TEST(PlanarChange, ReadsPolynomialsOffFormulas) {
 TEST(CyclesPanel, OfHenonAreListedDrawnAndClicked) {
     StillStudio studio("henon-set");
     StudioContext& context = studio.context;
-    setSharedNumber(context.workspace, "g.d", 1.4);
-    setSharedNumber(context.workspace, "g.b1", 0.3);
-    context.workspace.study = {.cycles = true, .mostPeriod = 2, .manifolds = true};
-    context.touch();
+    context.edit([&](Workspace& w) { setSharedNumber(w, "g.d", 1.4); });
+    context.edit([&](Workspace& w) { setSharedNumber(w, "g.b1", 0.3); });
+    context.edit(
+        [&](Workspace& w) { w.study = {.cycles = true, .mostPeriod = 2, .manifolds = true}; });
     studio.rest();
     for (int k = 0; k < 40; ++k) studyCycles(context);
     const CycleStudy& study = context.studies.cycles;
@@ -243,9 +244,8 @@ TEST(CyclesPanel, OfHenonAreListedDrawnAndClicked) {
 TEST(CyclesPanel, OfTheLogisticMapToo) {
     StillStudio studio("logistic");
     StudioContext& context = studio.context;
-    setSharedNumber(context.workspace, "r", 3.25);
-    context.workspace.study.cycles = true;
-    context.touch();
+    context.edit([&](Workspace& w) { setSharedNumber(w, "r", 3.25); });
+    context.edit([&](Workspace& w) { w.study.cycles = true; });
     studio.rest();
     for (int k = 0; k < 20; ++k) studyCycles(context);
     bool found = false;
@@ -262,13 +262,14 @@ TEST(CriticalStart, IsDraggedAndPutOntoTheCurve) {
     StillStudio studio("nearly-complex");
     StudioContext& context = studio.context;
     HeadlessGui gui({600, 600});
-    Workspace& workspace = context.workspace;
-    const int parameters = parameterViewOf(workspace);
+    const Workspace& workspace = context.workspace;
+    const int parameters = viewOfKind(workspace, ViewKind::parameters);
     ASSERT_EQ(parameters, 0);
-    workspace.views[0].criticalStart.reset();
-    workspace.views[0].start = {0.5, 0.5};
-    workspace.point = {-0.8, -0.8};
-    context.touch();
+    context.edit([](Workspace& w) {
+        w.views[0].criticalStart.reset();
+        w.views[0].start = {0.5, 0.5};
+        w.point = {-0.8, -0.8};
+    });
     studio.rest();
     const auto view = [&] { drawView(context, 1, {0, 0}, {600, 600}); };
     for (int k = 0; k < 3; ++k) gui.frame(view);
@@ -293,8 +294,7 @@ TEST(CriticalStart, IsDraggedAndPutOntoTheCurve) {
     EXPECT_NEAR(workspace.views[0].start[1], 0.2, 1.5 / unit);
     EXPECT_EQ(workspace.point, (std::vector<double>{-0.8, -0.8}));
     // Alt and a click, with the curve drawn: det J = 0 there.
-    workspace.study.criticalCurve = true;
-    context.touch();
+    context.edit([](Workspace& w) { w.study.criticalCurve = true; });
     studio.rest();
     io.AddKeyEvent(ImGuiMod_Alt, true);
     click(gui, view, place(0.3, 0.3));
@@ -304,8 +304,7 @@ TEST(CriticalStart, IsDraggedAndPutOntoTheCurve) {
     ASSERT_TRUE(system);
     EXPECT_NEAR(system->determinant(workspace.views[0].start.data()), 0, 1e-9);
     // Without the curve it sets the second start.
-    workspace.study.criticalCurve = false;
-    context.touch();
+    context.edit([](Workspace& w) { w.study.criticalCurve = false; });
     studio.rest();
     io.AddKeyEvent(ImGuiMod_Alt, true);
     click(gui, view, place(-0.5, 0.5));
@@ -323,7 +322,7 @@ TEST(CriticalStart, TheBadgeSaysWhatTheSetIs) {
         {"not-critical", CatalogueAnswer::notCritical}};
     for (const auto& [preset, answer] : cases) {
         StillStudio studio(preset);
-        const int view = parameterViewOf(studio.context.workspace);
+        const int view = viewOfKind(studio.context.workspace, ViewKind::parameters);
         ASSERT_GE(view, 0) << preset;
         const CatalogueBadge* badge = studyBadge(studio.context, view);
         ASSERT_NE(badge, nullptr) << preset;
@@ -336,8 +335,8 @@ TEST(Diagram, IsFilledDraggedAndZoomed) {
     StillStudio studio("logistic");
     StudioContext& context = studio.context;
     HeadlessGui gui({900, 300});
-    context.workspace.strip = Strip::diagram;
-    context.workspace.diagram = {"r", 2.5, 4};
+    context.edit([&](Workspace& w) { w.strip = Strip::diagram; });
+    context.edit([&](Workspace& w) { w.diagram = {"r", 2.5, 4}; });
     const auto strip = [&] { drawOrbitStrip(context); };
     for (int k = 0; k < 400 && (!context.studies.diagram.diagram ||
                                 context.studies.diagram.filled <
@@ -377,7 +376,8 @@ TEST(Diagram, OfAPlateOpensWithItsStrip) {
     const Expected<Json> plate =
         parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     ASSERT_TRUE(plate);
-    const std::string text = printJson(documentToJson(Document{.kind = "plate", .body = *plate}));
+    const std::string text = printJson(
+        documentToJson(Document{.kind = DocumentKind::plate, .body = *plate, .assets = {}}));
     const Status status = openText(studio.context, text);
     ASSERT_TRUE(status.ok()) << status.message();
     EXPECT_EQ(studio.context.workspace.views[0].map, "logistic");

@@ -8,8 +8,10 @@
 
 #include "fields/ensemble.h"
 #include "ui/controls/controls.h"
+#include "ui/dialogs/dialogs.h"
 #include "ui/headless_gui.h"
-#include "ui/marks/root_marks.h"
+#include "ui/keyboard.h"
+#include "ui/session/root_edit.h"
 #include "ui/session/state_plane.h"
 
 namespace versorium {
@@ -27,12 +29,11 @@ struct RootStudio {
     explicit RootStudio(const char* map) {
         host.still = true;
         context.newMap(map);
-        context.animation.running = false;
+        context.player.animation.running = false;
         // The ring is not in the way.
         for (const char* name : {"z.re", "q.w"})
             if (numberNamed(context.workspace.views[0], name))
-                setSharedNumber(context.workspace, name, 0.5);
-        context.touch();
+                context.edit([&](Workspace& w) { setSharedNumber(w, name, 0.5); });
         context.record();
         frames(3);
     }
@@ -94,8 +95,7 @@ TEST(RootMarks, AreDraggedInAllViewsAtOnce) {
 // The origin of the system shifts the shape and the roots together.
 TEST(RootMarks, LieWhereTheShiftTakesThem) {
     RootStudio studio("shape-modulus-complex-rational");
-    setSharedNumber(studio.context.workspace, "shift.re", 0.1);
-    studio.context.touch();
+    studio.context.edit([&](Workspace& w) { setSharedNumber(w, "shift.re", 0.1); });
     studio.frames(2);
     const auto before = studio.roots()[2].q;
     const auto place = placeOfRoot(studio.scene(), studio.roots()[2]);
@@ -109,9 +109,9 @@ TEST(RootMarks, LieWhereTheShiftTakesThem) {
 // In a slice along j and k the hand moves these two components and no other.
 TEST(RootMarks, MoveAlongTheAxesOfAQuaternionSlice) {
     RootStudio studio("shape-modulus");
-    Scene& scene = studio.context.workspace.views[1];
-    scene.slice.axes = {{{{"q.y", 1.0}}}, {{{"q.x", 1.0}}}};
-    studio.context.touch();
+    studio.context.edit([](Workspace& w) {
+        w.views[1].slice.axes = {{{{"q.y", 1.0}}}, {{{"q.x", 1.0}}}};
+    });
     studio.frames(2);
     const auto before = studio.roots()[3].q;
     const ImVec2 at = studio.placeOf({"roots", 3});
@@ -174,7 +174,7 @@ TEST(RootMarks, ADoubleClickAddsDeleteAndTheMenuTakeAway) {
     EXPECT_EQ(studio.context.versor.chosen, (RootRef{"roots", 2}));
     EXPECT_EQ(ImGui::GetCurrentContext()->OpenPopupStack.Size, 1) << "the root's menu";
     // Hidden roots are not in the way.
-    studio.context.workspace.showRoots = false;
+    studio.context.edit([&](Workspace& w) { w.showRoots = false; });
     const auto before = studio.roots()[1].q;
     const ImVec2 at = studio.placeOf({"roots", 1});
     studio.drag(at, {at.x + 40, at.y});
@@ -185,7 +185,7 @@ TEST(Roots, ThatAPictureNeedsStay) {
     SilentHost host;
     StudioContext context(host);
     context.newMap("complex-rational");
-    Workspace& workspace = context.workspace;
+    Workspace workspace = context.workspace;
     workspace.views[0].slice.axes[0].terms = {{"roots[2].re", 1.0}};
     EXPECT_FALSE(removeRoot(workspace, {"roots", 1}).ok());
     EXPECT_FALSE(removeRoot(workspace, {"roots", 2}).ok());
@@ -202,15 +202,17 @@ TEST(Roots, TurnIntoPolesAndBack) {
     SilentHost host;
     StudioContext context(host);
     context.newMap("quaternion-rational");
-    const RootList::Root root = rootAt(context.workspace, {"roots", 1});
-    const Expected<RootRef> pole = turnRoot(context.workspace, {"roots", 1});
+    Workspace workspace = context.workspace;
+    const RootList::Root root = rootAt(workspace, {"roots", 1});
+    const Expected<RootRef> pole = turnRoot(workspace, {"roots", 1});
     ASSERT_TRUE(pole.ok());
     EXPECT_EQ(*pole, (RootRef{"poles", 0}));
-    EXPECT_EQ(rootAt(context.workspace, *pole), root);
-    EXPECT_EQ(exponentOf(context.workspace, *pole), -root.power);
+    EXPECT_EQ(rootAt(workspace, *pole), root);
+    EXPECT_EQ(exponentOf(workspace, *pole), -root.power);
     context.newMap("quaternion-interleaved");
-    EXPECT_EQ(*turnRoot(context.workspace, {"factors", 0}), (RootRef{"factors", 0}));
-    EXPECT_LT(exponentOf(context.workspace, {"factors", 0}), 0);
+    workspace = context.workspace;
+    EXPECT_EQ(*turnRoot(workspace, {"factors", 0}), (RootRef{"factors", 0}));
+    EXPECT_LT(exponentOf(workspace, {"factors", 0}), 0);
 }
 
 TEST(Versor, SumAndProductTakeEachOthersPlace) {
@@ -219,18 +221,20 @@ TEST(Versor, SumAndProductTakeEachOthersPlace) {
     for (const char* name : {"complex-rational", "quaternion-rational", "shape-modulus",
                              "shape-modulus-complex-rational"}) {
         context.newMap(name);
-        Workspace& workspace = context.workspace;
-        if (mapOf(workspace.views[0]).info.field) {
-            setSharedNumber(workspace, "alpha", 11);
-            for (Scene& scene : workspace.views) scene.shape.source = "star(5, 0.5, 0.2)";
-        }
-        workspace.views[1].slice.height = 0.7;
+        const Workspace& workspace = context.workspace;
+        context.edit([](Workspace& w) {
+            if (mapOf(w.views[0]).info.field) {
+                setSharedNumber(w, "alpha", 11);
+                for (Scene& scene : w.views) scene.shape.source = "star(5, 0.5, 0.2)";
+            }
+            w.views[1].slice.height = 0.7;
+        });
         const Json before = workspaceToJson(workspace);
-        takeRootSum(workspace, true);
+        context.edit([](Workspace& w) { takeRootSum(w, true); });
         EXPECT_TRUE(isRootSum(workspace.views[0].map)) << name;
         ASSERT_TRUE(workspaceFromJson(workspaceToJson(workspace)).ok());
-        EXPECT_TRUE(context.orbitProgram());
-        takeRootSum(workspace, false);
+        EXPECT_TRUE(context.bound.orbitProgram());
+        context.edit([](Workspace& w) { takeRootSum(w, false); });
         EXPECT_EQ(workspaceToJson(workspace), before) << name;
     }
     EXPECT_EQ(sumOrProductOf("quadratic"), "");
@@ -241,8 +245,9 @@ TEST(Versor, DrawsTheSeedsRootsInTheBoxOfTheShape) {
     SilentHost host;
     StudioContext context(host);
     context.newMap("shape-modulus-complex-rational");
-    for (Scene& scene : context.workspace.views) scene.shape.source = "box(0.4, 0.2)";
-    context.touch();
+    context.edit([&](Workspace& w) {
+        for (Scene& scene : w.views) scene.shape.source = "box(0.4, 0.2)";
+    });
     context.versor.draw.options.least = context.versor.draw.options.most = 7;
     drawRoots(context, 5);
     const auto& roots = context.workspace.views[0].lists.at("roots");
@@ -258,17 +263,19 @@ TEST(Versor, DrawsTheSeedsRootsInTheBoxOfTheShape) {
     scene.ensemble.roots.emplace();
     scene.ensemble.roots->draw.least = scene.ensemble.roots->draw.most = 7;
     Job job(1);
-    const auto program = context.binder().bind(scene, job);
+    const auto program = context.bound.binder().bind(scene, job);
     ASSERT_TRUE(program.ok());
     EXPECT_EQ(randomRoots(program->ensemble->roots, 5), roots);
     // Fig 11: another shape, the same d.
-    for (Scene& one : context.workspace.views) one.shape.source = "disc(0.3)";
-    context.touch();
+    context.edit([&](Workspace& w) {
+        for (Scene& one : w.views) one.shape.source = "disc(0.3)";
+    });
     EXPECT_EQ(context.workspace.views[0].lists.at("roots").roots.size(), 7u);
     context.versor.draw.options.lowPower = 0.2;
     context.versor.draw.options.highPower = 0.8;
     drawRoots(context, 6);
-    EXPECT_NE(context.notice.find("whole number"), std::string::npos) << context.notice;
+    EXPECT_NE(context.notices.last().find("whole number"), std::string::npos)
+        << context.notices.last();
     EXPECT_EQ(context.workspace.views[0].lists.at("roots").roots.size(), 7u);
 }
 
@@ -279,7 +286,7 @@ TEST(ContactSheet, AsksForItsPicturesOneByOneAndIsPickedByKeys) {
     context.newMap("shape-modulus-complex-rational");
     context.record();
     openContactSheet(context, 10);
-    ASSERT_TRUE(context.sheet.open);
+    ASSERT_TRUE(context.dialogs.candidates);
     ASSERT_EQ(context.sheet.candidates.size(), 6u);
     const auto dialog = [&] { drawDialogs(context); };
     const auto press = [&](ImGuiKey key) {
@@ -309,7 +316,7 @@ TEST(ContactSheet, AsksForItsPicturesOneByOneAndIsPickedByKeys) {
     EXPECT_EQ(context.sheet.at, 4);
     const RootList wanted = context.sheet.candidates[4].roots;
     press(ImGuiKey_Enter);
-    EXPECT_FALSE(context.sheet.open);
+    EXPECT_FALSE(context.dialogs.candidates);
     EXPECT_EQ(context.workspace.views[0].lists.at("roots"), wanted);
     EXPECT_EQ(context.versor.draw.seed, 14);
     context.record();
@@ -322,15 +329,16 @@ TEST(Versor, OfATypedFormulaKeepsTheShape) {
     SilentHost host;
     StudioContext context(host);
     context.newMap("shape-modulus-quadratic");
-    for (Scene& scene : context.workspace.views) scene.shape.source = "star(5, 0.5, 0.2)";
-    setSharedNumber(context.workspace, "alpha", 12);
-    context.touch();
+    context.edit([&](Workspace& w) {
+        for (Scene& scene : w.views) scene.shape.source = "star(5, 0.5, 0.2)";
+    });
+    context.edit([&](Workspace& w) { setSharedNumber(w, "alpha", 12); });
     ASSERT_TRUE(applyFormula(context, "shape(z^3 + c)").ok());
     const Scene& scene = context.workspace.views[1];
     EXPECT_EQ(scene.shape.source, "star(5, 0.5, 0.2)");
     EXPECT_EQ(scene.parameters.at("alpha")[0], 12);
     EXPECT_EQ(scene.iterations, 3);
-    EXPECT_TRUE(context.orbitProgram());
+    EXPECT_TRUE(context.bound.orbitProgram());
     const Expected<Workspace> again = workspaceFromLink(*workspaceToLink(context.workspace));
     ASSERT_TRUE(again.ok()) << again.status().message();
     EXPECT_EQ(again->views[1].shape, scene.shape);

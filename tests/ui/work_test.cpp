@@ -219,7 +219,7 @@ TEST(Export, TakesItsFilesBesideTheDocument) {
     context.open(workspaceOf(sceneWithFiles()));
     context.exporting.width = 32;
     context.startExport();
-    ASSERT_EQ(host.exports.size(), 1u) << context.notice;
+    ASSERT_EQ(host.exports.size(), 1u) << context.notices.last();
     const ExportRequest& request = host.exports[0];
     EXPECT_EQ(request.document.find("\"data\""), std::string::npos);
     EXPECT_EQ(request.assets.size(), 2u);

@@ -139,7 +139,7 @@ class Window(unittest.TestCase):
             setting.write(who + "\n")
 
     def test_the_graphics_processor_draws_what_the_processor_draws(self):
-        # The last one has pixels too close together for 32 bits: the processor takes it over.
+        # The last one has pixels too close together for 32 bits: the CPU takes it over.
         deep = os.path.join(self.folder, "deep.json")
         with open(deep, "w") as scene:
             scene.write('{"document": 1, "kind": "scene", "body": {"versorium": 1, "map": "quadratic",'

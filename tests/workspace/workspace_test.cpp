@@ -35,7 +35,8 @@ TEST(Workspace, EveryMapHasBothViews) {
             const Expected<Scene> again = sceneFromJson(sceneToJson(scene));
             EXPECT_TRUE(again.ok()) << map.info.name << ": " << again.status().message();
         }
-        EXPECT_EQ(showsParameters(dynamicalView(workspace.views[0])), map.dimension == 1)
+        EXPECT_EQ(viewKind(dynamicalView(workspace.views[0])) == ViewKind::parameters,
+                  map.dimension == 1)
             << map.info.name;
     }
 }

@@ -259,7 +259,7 @@ async function begin() {
   if (!embedded) canvas.focus({ preventScroll: true });
   if (location.hash.length > 1) openFragment(location.hash.slice(1));
   if (!graphics)
-    showMessage(tr("This browser gives no WebGL 2: the processor draws, and everything is slower."));
+    showMessage(tr("This browser gives no WebGL 2: the CPU draws, and everything is slower."));
   window.versorium = {
     get framesDrawn() { return studio._page_frames_drawn(); },
     get picturesTaken() { return studio._page_pictures_taken(); },

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Turns scenes into pictures and fields on the processor: threads, tiles, cancel and progress. The
+// Turns scenes into pictures and fields on the CPU: threads, tiles, cancel and progress. The
 // values never depend on threads or on how the picture is split.
 
 #include "fields/evaluate.h"

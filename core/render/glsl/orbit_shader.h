@@ -2,7 +2,7 @@
 #pragma once
 // The two fragment shaders that draw a scene: the orbits' from its map, its shape and the numbers
 // that are 0 in all of the picture; the colours' is the same for all scenes (colour_shader.h). The
-// graphics processor compiles these texts, and `versorium glsl` prints them.
+// GPU compiles these texts, and `versorium glsl` prints them.
 
 #include <array>
 #include <string>

@@ -17,7 +17,7 @@ precision highp sampler3D;
 
 namespace {
 
-// Functions with the meaning that the processor's have (math/power.h, shape/field.h).
+// Functions with the meaning that the CPU's have (math/power.h, shape/field.h).
 constexpr const char* kLibrary = R"(
 uniform sampler2D uRoots;
 uniform int uListSize[2];

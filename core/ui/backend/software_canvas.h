@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// SoftwareCanvas: ImGui's draw lists on the processor, for where there is no OpenGL. Triangles with
+// SoftwareCanvas: ImGui's draw lists on the CPU, for where there is no OpenGL. Triangles with
 // colours at their corners and a texture, cut to a rectangle, over one another; a pixel belongs to
 // a triangle when its centre lies inside. Rectangles along the axes, which are most of what ImGui
 // draws, have a path of their own.

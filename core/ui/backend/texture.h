@@ -10,7 +10,7 @@
 
 namespace versorium {
 
-// False where the current ImGui context is drawn by the processor.
+// False where the current ImGui context is drawn by the CPU.
 bool drawsWithOpenGl();
 
 // Makes a texture, or with a name that is not 0 gives that one new pixels: RGBA with straight

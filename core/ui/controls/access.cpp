@@ -12,13 +12,12 @@ namespace versorium {
 namespace {
 
 // What changes nothing of the state is nobody's to lock.
-constexpr const char* kFree[] = {"theme",        "language",      "renderer", "export",
+constexpr const char* kFree[] = {"theme",        "language",      "renderer", "export.width",
                                  "begin export", "cancel export", "marked",   "maximised",
                                  "lesson step",  "teacher reset"};
 
 // Parts of the workspace that no control holds whole.
-void takeWholes(StudioContext& context, const Workspace& wanted) {
-    Workspace& now = context.workspace;
+void takeWholes(const StudioContext& context, const Workspace& wanted, Workspace& now) {
     const auto open = [&](const char* id) { return accessOf(context, id) == Access::open; };
     if (open("pins")) now.pins = wanted.pins;
     if (open("circles")) now.circles = wanted.circles;
@@ -41,13 +40,6 @@ void takeWholes(StudioContext& context, const Workspace& wanted) {
 
 }  // namespace
 
-bool namesControl(const MapInfo& info, const std::string& name, const std::string& id) {
-    if (name != "point") return namesValue(name, id);
-    for (int k = 0; k < dimensionOf(info.algebra); ++k)
-        if (stateComponent(info, k) == id) return true;
-    return false;
-}
-
 Access accessOf(const StudioContext& context, const std::string& id) {
     if (!context.teacher) return Access::open;
     const TeacherLink& link = *context.teacher;
@@ -62,44 +54,14 @@ Access accessOf(const StudioContext& context, const std::string& id) {
     return link.rest;
 }
 
-bool isRestricted(const StudioContext& context) {
-    return context.teacher && context.teacher->restricts();
-}
-
-Status followTeacherLink(StudioContext& context, const TeacherLink& link) {
-    for (const StudioTheme& theme : themes())
-        if (theme.name == link.theme) {
-            context.theme = static_cast<std::size_t>(&theme - themes().data());
-            context.fontsChanged = true;
-        }
-    context.teacher.reset();
-    // For this visit: what the learner chose is kept.
-    if (!link.language.empty() && setLanguage(link.language)) context.fontsChanged = true;
-    if (!link.lesson.empty()) {
-        std::optional<std::size_t> step;
-        if (link.step) step = static_cast<std::size_t>(*link.step);
-        const Status status = openLesson(context, link.lesson, step);
-        if (!status.ok()) return status;
-        if (link.view) context.openStage(*link.view);
-    } else if (link.view) {
-        context.open(*link.view);
-    }
-    if (link.stays()) context.teacher = link;
-    permit(context);
-    return {};
-}
-
-void permit(StudioContext& context) {
-    context.permitted = context.workspace;
-    context.permittedAt = context.revision;
-}
-
 void keepLocks(StudioContext& context) {
-    if (!isRestricted(context) || context.permittedAt == context.revision) return;
+    if (!isRestricted(context) || context.permitted.at == context.revision()) return;
     const Workspace wanted = context.workspace;
     const std::vector<Control> after = controlsOf(context);
-    context.workspace = context.permitted;
-    takeWholes(context, wanted);
+    context.edit([&](Workspace& now) {
+        now = context.permitted.workspace;
+        takeWholes(context, wanted, now);
+    });
     std::vector<Control> before = controlsOf(context);
     for (const Control& control : after) {
         if (control.kind == ControlKind::command || accessOf(context, control.id) != Access::open)
@@ -111,10 +73,8 @@ void keepLocks(StudioContext& context) {
         setControl(context, control.id, control.value);
         before = controlsOf(context);
     }
-    if (workspaceKey(context.workspace) != workspaceKey(wanted)) {
-        ++context.revision;
+    if (workspaceKey(context.workspace) != workspaceKey(wanted))
         context.say("The link that opened this page has locked that");
-    }
     permit(context);
 }
 

@@ -9,15 +9,16 @@
 #include <vector>
 
 #include "i18n/language.h"
-#include "ui/controls/chord.h"
+#include "ui/widgets/chord.h"
 
 namespace versorium {
 
 struct StudioContext;
 
 struct Command {
-    std::string id;     // "undo", "view.zoom.in"; empty of what Find offers beside the commands
+    std::string id;     // "undo", "view.zoom.in"
     std::string label;  // in English, or in the language where it is put together
+    std::string help;   // what it does, in a sentence or two; the same
     Chord chord;
     std::function<void()> run;
     std::function<bool()> when = {};  // whether it can be had now; empty: always
@@ -25,13 +26,18 @@ struct Command {
     bool harmless = false;            // it may be had where a teacher's link locks things
 
     std::string title() const { return tr(std::string_view(label)); }
+    std::string explanation() const { return tr(std::string_view(help)); }
+    bool available() const { return !when || when(); }
 };
 
 // Without those that a teacher's link takes away.
 std::vector<Command> commandsOf(StudioContext& context);
 // False where there is no such command, or where it cannot be had now.
 bool runCommand(StudioContext& context, std::string_view id);
-// Runs what is pressed in this frame.
-void handleKeys(StudioContext& context);
+
+// What Find offers: lessons, presets, maps, plates, recent scenes, saved formulas and what is typed
+// if it is a formula, each as a command that opens it; and all commands. Where a teacher's link
+// locks things, the commands that it leaves.
+std::vector<Command> findable(StudioContext& context, const std::string& question);
 
 }  // namespace versorium

@@ -88,15 +88,6 @@ ControlKind kindOf(ValueKind kind) {
 
 // What a value is called within its own section.
 std::string nameOf(const ValueInfo& info) {
-    constexpr std::pair<const char*, const char*> kLetters[] = {
-        {"alpha", "α"},
-        {"beta", "β"},
-        {"tau", "τ"},
-        {kAsPrinted, trLater("φ + β (print)")},
-        {"log_scale", trLater("log scale")},
-        {"exponent_beta", trLater("exponent β")}};
-    for (const auto& [name, letter] : kLetters)
-        if (info.path == name) return tr(letter);
     return info.label.empty() || info.label == info.path ? info.path : tr(info.label);
 }
 
@@ -212,36 +203,59 @@ bool hasNoMeaning(const Scene& scene, const SceneProperty& property) {
 
 }  // namespace
 
+namespace {
+
+// A control over a property whose value is `now`, by `set` where another one is wanted.
+template <class P>
+ControlEntry entryOf(StudioContext* c, Control control, const P& property,
+                     std::function<Json(const StudioContext&)> now,
+                     std::function<Status(StudioContext&, const Json&)> set) {
+    return {std::move(control), [c, property, now, set](const std::string& text) {
+                const Json before = now(*c);
+                const Json wanted = jsonOf(property, before, text);
+                if (wanted.is_null() || !isAllowed(property, wanted)) return false;
+                if (wanted == before) return true;
+                const Status status = set(*c, wanted);
+                c->report(status);
+                return status.ok();
+            }};
+}
+
+bool isSingle(const ValueInfo& info) {
+    return info.kind != ValueKind::group && info.kind != ValueKind::other;
+}
+
+}  // namespace
+
 void ControlList::value(const SceneProperty& property) {
-    if (property.kind == ValueKind::group || property.kind == ValueKind::other ||
-        hasNoMeaning(context_.workspace.view(), property))
-        return;
-    StudioContext* c = &context_;
-    entries.push_back(
-        {controlFrom(context_, property, group_), [c, property](const std::string& text) {
-             const Json now = shownValue(*c, property);
-             const Json wanted = jsonOf(property, now, text);
-             if (wanted.is_null() || !isAllowed(property, wanted)) return false;
-             if (wanted == now) return true;
-             const Status status = setValue(*c, property, wanted);
-             c->report(status);
-             return status.ok();
-         }});
+    if (!isSingle(property) || hasNoMeaning(context_.workspace.view(), property)) return;
+    entries.push_back(entryOf(
+        &context_, controlFrom(context_, property, group_), property,
+        [property](const StudioContext& c) { return shownValue(c, property); },
+        [property](StudioContext& c, const Json& json) { return setValue(c, property, json); }));
 }
 
 void ControlList::value(const WorkspaceProperty& property) {
-    if (property.kind == ValueKind::group || property.kind == ValueKind::other) return;
-    StudioContext* c = &context_;
-    entries.push_back({described(context_, property, property.get(context_.workspace), group_),
-                       [c, property](const std::string& text) {
-                           const Json now = property.get(c->workspace);
-                           const Json wanted = jsonOf(property, now, text);
-                           if (wanted.is_null() || !isAllowed(property, wanted)) return false;
-                           if (wanted == now) return true;
-                           const Status status = setValue(*c, property, wanted);
-                           c->report(status);
-                           return status.ok();
-                       }});
+    if (!isSingle(property)) return;
+    entries.push_back(entryOf(
+        &context_, described(context_, property, property.get(context_.workspace), group_),
+        property, [property](const StudioContext& c) { return property.get(c.workspace); },
+        [property](StudioContext& c, const Json& json) { return setValue(c, property, json); }));
+}
+
+void ControlList::value(const StudioProperty& property) {
+    Control control = described(context_, property, property.get(context_), group_);
+    if (property.path == "language") {
+        control.shown.clear();
+        for (const Language& language : languages()) control.shown.push_back(language.name);
+    }
+    entries.push_back(entryOf(
+        &context_, std::move(control), property,
+        [property](const StudioContext& c) { return property.get(c); },
+        [property](StudioContext& c, const Json& json) {
+            c.host.wake();
+            return property.set(c, json, property.path);
+        }));
 }
 
 void ControlList::values(std::initializer_list<const char*> paths) {
@@ -249,8 +263,11 @@ void ControlList::values(std::initializer_list<const char*> paths) {
         const Scene& scene = context_.workspace.view();
         if (const auto property = propertyNamed(scene, path); property && property->path == path) {
             if (!property->shownWhen || property->shownWhen(scene)) value(*property);
-        } else if (const auto own = propertyNamed(context_.workspace, path)) {
+        } else if (const auto own = propertyNamed(context_.workspace, path);
+                   own && own->path == path) {
             value(*own);
+        } else if (const StudioProperty* studio = studioPropertyNamed(path)) {
+            value(*studio);
         }
     }
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ui/controls/controls.h"
+#include "ui/session/studio_properties.h"
 #include "ui/session/values.h"
 
 namespace versorium {
@@ -59,11 +60,6 @@ class ControlList {
         add({id, group_, said(label), ControlKind::choice, value, 0, options, std::move(shown)},
             change);
     }
-    template <Worded E>
-    void word(const std::string& id, const std::string& label, E& value) {
-        choice(id, label, std::string(wordOf(value)), wordsOf<E>(),
-               [&value](const std::string& wanted) { value = *fromWord<E>(wanted); });
-    }
     void toggle(const std::string& id, const std::string& label, bool value,
                 std::function<void(bool)> set) {
         const auto change = [=](const std::string& wanted) {
@@ -72,26 +68,6 @@ class ControlList {
             return true;
         };
         add({id, group_, said(label), ControlKind::toggle, value ? "on" : "off", 0, {}}, change);
-    }
-    void colour(const std::string& id, const std::string& label, DisplayColour& value) {
-        const auto change = [&value](const std::string& wanted) {
-            const Expected<Colour> colour = colourFromHex(wanted);
-            if (!colour) return false;
-            const double alpha = value.a;
-            value = displayFromColour(*colour);
-            value.a = alpha;
-            return true;
-        };
-        DisplayColour opaque = value;
-        opaque.a = 1;
-        add({id,
-             group_,
-             said(label),
-             ControlKind::colour,
-             hexFromColour(colourFromDisplay(opaque)),
-             0,
-             {}},
-            change);
     }
     void text(const std::string& id, const std::string& label, const std::string& value,
               std::function<bool(const std::string&)> set) {
@@ -108,9 +84,10 @@ class ControlList {
         entries.push_back({{id, group_, said(label), ControlKind::command, keys, 0, {}}, change});
     }
 
-    // A value of the tables: of the focused view's scene or of the workspace.
+    // A value of the tables: of the focused view's scene, the workspace or the studio.
     void value(const SceneProperty& property);
     void value(const WorkspaceProperty& property);
+    void value(const StudioProperty& property);
     // Those that apply and matter now, by their paths.
     void values(std::initializer_list<const char*> paths);
     // All of a group of the scene.
@@ -126,7 +103,7 @@ class ControlList {
         const auto change = [context, set = std::move(set)](const std::string& value) {
             if (!set(value)) return false;
             context->welcome = false;
-            context->touch();
+            context->host.wake();
             return true;
         };
         entries.push_back({std::move(control), change});
@@ -135,6 +112,8 @@ class ControlList {
 
 // The parts that have files of their own.
 void collectShape(StudioContext& context, ControlList& all);
+void collectVersor(StudioContext& context, ControlList& all);
+void collectEnsemble(StudioContext& context, ControlList& all);
 void collectLayers(StudioContext& context, ControlList& all);
 void collectMotion(StudioContext& context, ControlList& all);
 void collectWindow(StudioContext& context, ControlList& all);

@@ -8,7 +8,6 @@
 #include "maps/critical.h"
 #include "ui/controls/access.h"
 #include "ui/controls/control_list.h"
-#include "ui/panels/roots_panel.h"
 #include "ui/session/ensemble_change.h"
 
 namespace versorium {
@@ -85,27 +84,27 @@ void collectParameters(StudioContext& context, ControlList& all) {
     numbers.insert(numbers.end(), names.begin(), names.end());
     std::vector<std::string> shown = numbers;
     shown[0] = tr("none");
-    const StudioContext::Animation& moving = context.animation;
+    const Player::Animation& moving = context.player.animation;
     const bool runs =
         moving.running && std::find(numbers.begin(), numbers.end(), moving.number) != numbers.end();
     all.choice(
         "animate", "number that is animated", runs ? moving.number : "none", numbers,
         [c](const std::string& name) {
-            c->animation.running = false;
+            c->player.animation.running = false;
             if (name == "none") return;
             const double now = sharedNumber(c->workspace, name);
-            c->animate(name, now - 1, now + 1);
+            c->player.animate(name, now - 1, now + 1);
         },
         shown);
-    all.toggle("animate-to-and-fro", "the animation runs to and fro", moving.toAndFro,
-               [c](bool on) { c->animation.toAndFro = on; });
+    all.values({"animation.to_and_fro"});
     all.command("reset", "The map's own parameters", "", [c, &info] {
-        for (const ParameterInfo& parameter : info.parameters) {
-            const auto* first = parameter.value.data();
-            setSharedParameter(c->workspace, std::string(parameter.name),
-                               {first, first + widthOf(parameter.kind)});
-        }
-        c->touch();
+        c->edit([&](Workspace& w) {
+            for (const ParameterInfo& parameter : info.parameters) {
+                const auto* first = parameter.value.data();
+                setSharedParameter(w, std::string(parameter.name),
+                                   {first, first + widthOf(parameter.kind)});
+            }
+        });
     });
 }
 
@@ -119,7 +118,7 @@ void collectOrbit(StudioContext& context, ControlList& all) {
 }
 
 void collectSlice(StudioContext& context, ControlList& all) {
-    all.begin("Slice of the marked view");
+    all.begin("Slice of the focused view");
     StudioContext* c = &context;
     const Scene& scene = context.workspace.view();
     const MapKernels& map = mapOf(scene);
@@ -130,19 +129,20 @@ void collectSlice(StudioContext& context, ControlList& all) {
         all.choice(
             "slice.axes[" + std::to_string(k) + "]", k == 0 ? "axis →" : "axis ↑",
             terms.size() == 1 ? terms[0].first : "", names,
-            [c, k](const std::string& name) { setAxis(c->workspace, k, name); }, names);
+            [c, k](const std::string& name) {
+                c->edit([&](Workspace& w) { setAxis(w, k, name); });
+            },
+            names);
     }
     for (std::size_t k = 0; k < axes; ++k)
         all.values({k == 0 ? "slice.center[0]" : "slice.center[1]"});
     all.values({"slice.height", "samples"});
-    if (hasCriticalPoints(map) && showsParameters(scene))
+    if (hasCriticalPoints(map) && traitsOf(scene).ownStart)
         all.toggle("critical", "start at the critical point", scene.criticalStart.has_value(),
                    [c](bool on) {
-                       std::optional<int>& start = c->workspace.view().criticalStart;
-                       if (on)
-                           start = 0;
-                       else
-                           start.reset();
+                       c->edit([on](Workspace& w) {
+                           w.view().criticalStart = on ? std::optional<int>(0) : std::nullopt;
+                       });
                    });
     if (const auto start = startOf(context, context.workspace.focused);
         start && !scene.criticalStart) {
@@ -166,27 +166,28 @@ void collectSlice(StudioContext& context, ControlList& all) {
 void collectStudies(StudioContext& context, ControlList& all) {
     all.begin("Cycles, critical curve, diagram");
     StudioContext* c = &context;
-    Workspace& workspace = context.workspace;
+    const Workspace& workspace = context.workspace;
     const MapKernels& map = mapOf(workspace.views[0]);
     if (map.dimension == 2) all.values({"study.critical_curve"});
     if (map.dimension <= 2) all.values({"study.cycles", "study.most_period"});
     if (map.dimension == 2) all.values({"study.manifolds"});
     all.toggle("compared", "second start to compare", !workspace.compared.empty(), [c](bool on) {
         if (on != c->workspace.compared.empty()) return;
-        c->workspace.compared = on ? c->workspace.point : std::vector<double>();
+        c->edit([on](Workspace& w) { w.compared = on ? w.point : std::vector<double>(); });
     });
     for (std::size_t k = 0; k < workspace.compared.size(); ++k)
         all.number("second " + std::to_string(k),
                    tr("second start {1}", {stateComponent(map.info, static_cast<int>(k))}),
                    workspace.compared[k], 0.01, -1e6, 1e6,
-                   [c, k](double value) { c->workspace.compared[k] = value; });
+                   [c, k](double value) { c->edit([&](Workspace& w) { w.compared[k] = value; }); });
     if (map.parameters == 0) return;
     std::vector<std::string> names;
     for (int k = 0; k < map.parameters; ++k) names.push_back(parameterComponent(map.info, k));
     const Workspace::Diagram diagram = diagramOf(workspace);
     all.choice(
         "diagram number", "parameter of the bifurcation diagram", diagram.number, names,
-        [c](const std::string& name) { setDiagramNumber(c->workspace, name); }, names);
+        [c](const std::string& name) { c->edit([&](Workspace& w) { setDiagramNumber(w, name); }); },
+        names);
     const double step = (diagram.right - diagram.left) / 40;
     for (const bool left : {true, false})
         all.number(left ? "diagram from" : "diagram to",
@@ -196,12 +197,13 @@ void collectStudies(StudioContext& context, ControlList& all) {
                        Workspace::Diagram next = diagram;
                        (left ? next.left : next.right) = value;
                        const bool same = next == diagram;
-                       if (!same && next.left < next.right) c->workspace.diagram = next;
+                       if (!same && next.left < next.right)
+                           c->edit([&](Workspace& w) { w.diagram = next; });
                    });
 }
 
 void collectColours(ControlList& all) {
-    all.begin("Colours of the marked view");
+    all.begin("Colours of the focused view");
     all.group("colour");
 }
 
@@ -243,7 +245,7 @@ const char* kindName(ControlKind kind) {
 
 // What becomes of the orbit's starting point.
 std::string fate(StudioContext& context) {
-    const OrbitProgram* bound = context.orbitProgram();
+    const OrbitProgram* bound = context.bound.orbitProgram();
     if (!bound) return {};
     OrbitProgram program = *bound;
     program.iterations = std::min(program.iterations, kProbeIterations);
@@ -273,7 +275,8 @@ std::vector<Control> controlsOf(StudioContext& context) {
     return controls;
 }
 
-bool setControl(StudioContext& context, const std::string& id, const std::string& value) {
+bool setControl(StudioContext& context, const std::string& name, const std::string& value) {
+    const std::string id = pathOfOldName(name);
     if (accessOf(context, id) != Access::open) return false;
     for (const ControlEntry& entry : entriesOf(context))
         if (entry.control.id == id) return entry.set(value);
@@ -284,7 +287,7 @@ std::string describeView(StudioContext& context, int view) {
     const Workspace& workspace = context.workspace;
     const auto index = static_cast<std::size_t>(view);
     const Scene& scene = workspace.views[index];
-    const bool parameters = showsParameters(scene);
+    const ViewTraits& traits = traitsOf(scene);
     const auto marker = markerOf(workspace, index);
     std::string middle, ring;
     for (std::size_t k = 0; k < std::min<std::size_t>(2, scene.slice.axes.size()); ++k) {
@@ -292,19 +295,14 @@ std::string describeView(StudioContext& context, int view) {
         middle += name + shownNumber(scene.slice.centre[k], 5);
         ring += name + shownNumber(marker[k], 5);
     }
-    if (!parameters) ring += fate(context);
-    std::string text =
-        tr(parameters
-               ? trLater("View {1}, parameters of {2}: height {3} around {4}. The ring is at {5}.")
-               : trLater("View {1}, starting points of {2}: height {3} around {4}. The ring is at "
-                         "{5}."),
-           {std::to_string(view + 1), tr(mapOf(scene).info.title),
-            shownNumber(scene.slice.height, 3), middle, ring});
+    if (traits.orbit) ring += fate(context);
+    std::string text = tr(traits.spoken, {std::to_string(view + 1), tr(mapOf(scene).info.title),
+                                          shownNumber(scene.slice.height, 3), middle, ring});
     const std::string average = describeEnsemble(context, view);
     if (!average.empty()) text += " " + average;
-    if (context.workspace.strip == Strip::profile && !parameters)
+    if (context.workspace.strip == Strip::profile && traits.circles)
         text += " " + describeProfile(context);
-    if (!parameters) text += describeCircles(context);
+    if (traits.circles) text += describeCircles(context);
     return text;
 }
 

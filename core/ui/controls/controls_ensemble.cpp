@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The averages of the marked view as controls and as commands.
+// The averages of the focused view as controls and as commands.
 #include <algorithm>
 #include <cmath>
 
@@ -10,17 +10,8 @@
 namespace versorium {
 namespace {
 
-using SceneChange = Status (*)(Scene&);
-
-void run(StudioContext& context, SceneChange change) {
-    if (Status status = change(context.workspace.view()); !status.ok())
-        return context.report(status);
-    context.welcome = false;
-    context.touch();
-}
-
-void collectNumbers(StudioContext& context, ControlList& all, Scene& scene) {
-    EnsembleSpec& ensemble = scene.ensemble;
+void collectNumbers(StudioContext& context, ControlList& all, const Scene& scene) {
+    const EnsembleSpec& ensemble = scene.ensemble;
     StudioContext* c = &context;
     for (std::size_t k = 0; k < ensemble.ranges.size(); ++k) {
         const EnsembleRange& range = ensemble.ranges[k];
@@ -28,9 +19,10 @@ void collectNumbers(StudioContext& context, ControlList& all, Scene& scene) {
         all.values({(path + ".from").c_str(), (path + ".to").c_str()});
         all.command("ensemble keep " + range.name, tr("Draw {1} no longer", {range.name}), "",
                     [c, k] {
-                        auto& ranges = c->workspace.view().ensemble.ranges;
-                        ranges.erase(ranges.begin() + static_cast<std::ptrdiff_t>(k));
-                        c->touch();
+                        c->edit([&](Workspace& w) {
+                            auto& ranges = w.view().ensemble.ranges;
+                            ranges.erase(ranges.begin() + static_cast<std::ptrdiff_t>(k));
+                        });
                     });
     }
     for (std::size_t k = 0; k < ensemble.discs.size(); ++k) {
@@ -40,9 +32,10 @@ void collectNumbers(StudioContext& context, ControlList& all, Scene& scene) {
                     (path + ".radius").c_str()});
         all.command("ensemble keep " + disc.name, tr("Draw {1} no longer", {disc.name}), "",
                     [c, k] {
-                        auto& discs = c->workspace.view().ensemble.discs;
-                        discs.erase(discs.begin() + static_cast<std::ptrdiff_t>(k));
-                        c->touch();
+                        c->edit([&](Workspace& w) {
+                            auto& discs = w.view().ensemble.discs;
+                            discs.erase(discs.begin() + static_cast<std::ptrdiff_t>(k));
+                        });
                     });
     }
     const auto more = [&](const char* id, const char* label, std::vector<std::string> names,
@@ -50,7 +43,10 @@ void collectNumbers(StudioContext& context, ControlList& all, Scene& scene) {
         if (!names.empty())
             all.choice(
                 id, label, "", names,
-                [c, add](const std::string& name) { add(c->workspace.view(), name); }, names);
+                [c, add](const std::string& name) {
+                    c->edit([&](Workspace& w) { add(w.view(), name); });
+                },
+                names);
     };
     more("ensemble range", "draw a number from a range", freeRanges(scene), addRange);
     more("ensemble disc", "draw a complex number from a disc", freeDiscs(scene), addDisc);
@@ -59,16 +55,17 @@ void collectNumbers(StudioContext& context, ControlList& all, Scene& scene) {
 }  // namespace
 
 void collectEnsemble(StudioContext& context, ControlList& all) {
-    all.begin("Average over random maps, marked view");
+    all.begin("Average over random maps, focused view");
     StudioContext* c = &context;
-    Scene& scene = context.workspace.view();
-    EnsembleSpec& ensemble = scene.ensemble;
+    const Scene& scene = context.workspace.view();
+    const EnsembleSpec& ensemble = scene.ensemble;
     if (!mapOf(scene).info.lists.empty())
         all.toggle("ensemble roots", "random roots", ensemble.roots.has_value(), [c](bool on) {
-            if (!on)
-                c->workspace.view().ensemble.roots.reset();
-            else
-                c->report(averageOverVersors(c->workspace.view()));
+            c->report(c->edit([on](Workspace& w) {
+                if (on) return averageOverVersors(w.view());
+                w.view().ensemble.roots.reset();
+                return Status();
+            }));
         });
     if (ensemble.varies()) {
         const std::vector<std::string> shown{trLater("mean"), trLater("standard error"),
@@ -79,7 +76,9 @@ void collectEnsemble(StudioContext& context, ControlList& all) {
                    shown[static_cast<std::size_t>(at - fields.begin())], shown,
                    [c, shown, fields](const std::string& word) {
                        const auto k = std::find(shown.begin(), shown.end(), word) - shown.begin();
-                       showAverage(c->workspace.view(), fields[static_cast<std::size_t>(k)]);
+                       c->edit([&](Workspace& w) {
+                           showAverage(w.view(), fields[static_cast<std::size_t>(k)]);
+                       });
                    });
         all.values({"ensemble.count", "ensemble.seed", "ensemble.set"});
         if (ensemble.roots) all.group("ensemble.roots");
@@ -87,25 +86,11 @@ void collectEnsemble(StudioContext& context, ControlList& all) {
     collectNumbers(context, all, scene);
     if (!ensemble.varies()) return;
     all.command("no average", "No average any more", "", [c] {
-        showAverage(c->workspace.view(), "");
-        c->workspace.view().ensemble = {};
-        c->touch();
+        c->edit([](Workspace& w) {
+            showAverage(w.view(), "");
+            w.view().ensemble = {};
+        });
     });
-}
-
-std::vector<Command> ensembleCommands(StudioContext& context) {
-    StudioContext* c = &context;
-    return {{"average.versors",
-             trLater("Average over random versors: the part of the sets that hold each point"),
-             {},
-             [c] { run(*c, averageOverVersors); }},
-            {"average.number",
-             trLater("Average over c in a disc, or over another number of the map"),
-             {},
-             [c] { run(*c, averageOverNumber); }},
-            {"plot.profile", trLater("Mean of φ over circles of radius r, against r"), {}, [c] {
-                 c->show(Strip::profile);
-             }}};
 }
 
 }  // namespace versorium

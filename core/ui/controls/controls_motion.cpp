@@ -4,13 +4,14 @@
 
 #include "render/movie.h"
 #include "ui/controls/control_list.h"
+#include "ui/session/open_file.h"
 
 namespace versorium {
 
 void collectLayers(StudioContext& context, ControlList& all) {
     all.begin("Images behind and in front");
     StudioContext* c = &context;
-    Scene& scene = context.workspace.view();
+    const Scene& scene = context.workspace.view();
     for (std::size_t k = 0; k < scene.layers.size(); ++k) {
         const std::string place = "layers[" + std::to_string(k) + "]";
         const std::string id = place + ".";
@@ -19,69 +20,68 @@ void collectLayers(StudioContext& context, ControlList& all) {
             return tr("image {1}: {2}", {std::to_string(k + 1), tr(what)});
         };
         all.command(id + "remove", label("take it away"), "", [c, k] {
-            auto& layers = c->workspace.view().layers;
-            layers.erase(layers.begin() + static_cast<std::ptrdiff_t>(k));
-            dropUnnamedAssets(c->workspace);
-            c->touch();
+            c->edit([k](Workspace& w) {
+                auto& layers = w.view().layers;
+                layers.erase(layers.begin() + static_cast<std::ptrdiff_t>(k));
+                dropUnnamedAssets(w);
+            });
         });
     }
     if (scene.layers.size() < kMostLayers)
         all.choice("layer", "add an image", "", {"leaf", "white sheet"},
-                   [&scene](const std::string& wanted) {
-                       if (wanted == "leaf")
-                           scene.layers.push_back({});
-                       else
-                           scene.layers.insert(scene.layers.begin(), {.sources = {"#ffffff"}});
+                   [c](const std::string& wanted) {
+                       c->edit([&](Workspace& w) { addBuiltInLayer(w.view(), wanted == "leaf"); });
                    });
-    all.toggle("images are layers", "opened images lie behind the fractal", context.imagesAreLayers,
-               [c](bool on) { c->imagesAreLayers = on; });
+    all.values({"images_are_layers"});
 }
 
 void collectMotion(StudioContext& context, ControlList& all) {
     all.begin("Motion");
     StudioContext* c = &context;
-    const StudioContext::Player& player = context.player;
+    const Player& player = context.player;
     const Motion& motion = context.workspace.motion;
     all.toggle("recording", "record what is moved", player.recording,
-               [c](bool on) { c->record(on); });
+               [c](bool on) { c->player.record(on); });
     all.choice("animation", "play an animation of the program's own", "", animationNames(),
                [c](const std::string& name) {
                    Expected<Movie> movie = animationNamed(name);
                    if (!movie) return c->report(movie.status());
                    c->openMotion(std::move(movie->animation));
-                   c->play(true);
+                   c->player.play(true);
                });
     all.number("motion time", "time in the motion, seconds", player.at, 0.1, 0, kMostSeconds,
                [c](double value) {
-                   c->play(false);
-                   c->showMotionAt(value);
+                   c->player.play(false);
+                   c->player.showMotionAt(value);
                });
-    all.command("set key", "Set a key frame here", "K", [c] { c->setKey(); });
+    all.command("set key", "Set a key frame here", "K", [c] { c->player.setKey(); });
     if (motion.keys.empty()) return;
-    all.toggle("playing", "play the motion", player.playing, [c](bool on) { c->play(on); });
-    all.toggle("play again", "again from the beginning when it has ended", player.again,
-               [c](bool on) { c->player.again = on; });
-    all.number(
-        "key", "chosen key frame", player.key + 1, 1, 0, static_cast<double>(motion.keys.size()),
-        [c](double value) {
-            c->player.key = static_cast<int>(value) - 1;
-            if (c->player.key < 0) return;
-            c->play(false);
-            c->showMotionAt(c->workspace.motion.keys[static_cast<std::size_t>(c->player.key)].time);
-        });
+    all.toggle("playing", "play the motion", player.playing, [c](bool on) { c->player.play(on); });
+    all.values({"motion.again"});
+    all.number("key", "chosen key frame", player.key + 1, 1, 0,
+               static_cast<double>(motion.keys.size()), [c](double value) {
+                   c->player.key = static_cast<int>(value) - 1;
+                   if (c->player.key < 0) return;
+                   c->player.play(false);
+                   c->player.showMotionAt(
+                       c->workspace.motion.keys[static_cast<std::size_t>(c->player.key)].time);
+               });
     if (player.key >= 0 && player.key < static_cast<int>(motion.keys.size())) {
         const auto key = static_cast<std::size_t>(player.key);
-        const std::vector<std::string> easings{"linear", "smooth", "hold"};
         all.choice("easing", "from the chosen key frame on",
-                   easings[static_cast<std::size_t>(motion.keys[key].easing)], easings,
-                   [c, key, easings](const std::string& wanted) {
-                       c->workspace.motion.keys[key].easing = static_cast<Easing>(
-                           std::find(easings.begin(), easings.end(), wanted) - easings.begin());
+                   std::string(wordOf(motion.keys[key].easing)), wordsOf<Easing>(),
+                   [c, key](const std::string& wanted) {
+                       c->edit([&](Workspace& w) {
+                           w.motion.keys[key].easing = *fromWord<Easing>(wanted);
+                       });
                    });
-        all.command("remove key", "Take the chosen key frame away", "", [c] { c->removeKey(); });
+        all.command("remove key", "Take the chosen key frame away", "",
+                    [c] { c->player.removeKey(); });
     }
     all.number("frame rate", "pictures of a second", motion.framesPerSecond, 1, 1, 240,
-               [c](double value) { c->workspace.motion.framesPerSecond = value; });
+               [c](double value) {
+                   c->edit([value](Workspace& w) { w.motion.framesPerSecond = value; });
+               });
     const auto begin = [c](bool film) {
         ExportOptions options = c->exporting;
         c->exporting.motion = true;

@@ -11,7 +11,7 @@ void collectModulation(StudioContext& context, ControlList& all, bool alpha) {
     StudioContext* c = &context;
     const std::string id = alpha ? "modulation.alpha." : "modulation.beta.";
     const std::string name = alpha ? "α" : "β";
-    const auto specOf = [alpha](Scene& scene) -> ModulationSpec& {
+    const auto specOf = [alpha](auto& scene) -> auto& {
         return alpha ? scene.alphaOverSpace : scene.betaOverSpace;
     };
     const ModulationSpec spec = specOf(context.workspace.view());
@@ -19,16 +19,15 @@ void collectModulation(StudioContext& context, ControlList& all, bool alpha) {
     if (!spec.shape.empty())
         all.values(
             {(id + "value").c_str(), (id + "between[0]").c_str(), (id + "between[1]").c_str()});
-    double& value = alpha ? context.drawing.alpha : context.drawing.beta;
-    all.number(id + "brush", tr("{1} of the brush", {name}), value, alpha ? 5 : 0.01,
-               -kLargestModulated, kLargestModulated, [&value](double wanted) { value = wanted; });
+    all.values({alpha ? "brush.alpha" : "brush.beta"});
     all.command(id + "dab", tr("Paint {1} at the orbit's starting point", {name}), "", [c, alpha] {
         paintAtPoint(*c, alpha ? Drawing::Tool::alpha : Drawing::Tool::beta);
     });
     if (!spec.discs.empty())
         all.command(id + "clear", tr("Take all paint of {1} away", {name}), "", [c, specOf] {
-            for (Scene& scene : c->workspace.views) specOf(scene).discs.clear();
-            c->touch();
+            c->edit([&](Workspace& w) {
+                for (Scene& scene : w.views) specOf(scene).discs.clear();
+            });
         });
 }
 
@@ -74,10 +73,7 @@ void collectShape(StudioContext& context, ControlList& all) {
                     [tilt] { tilt(false, kTilt); });
         all.command("tilt down", "Tilt it down", "", [tilt] { tilt(false, -kTilt); });
     }
-    all.number("brush radius", "radius of the brush", context.drawing.radius, 0.02, 1e-6, 1e6,
-               [c](double value) { c->drawing.radius = value; });
-    all.toggle("overlay", "show where α or β differ", context.drawing.overlay,
-               [c](bool on) { c->drawing.overlay = on; });
+    all.values({"brush.radius", "brush.erases", "brush.overlay"});
 }
 
 }  // namespace versorium

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "ui/controls/control_list.h"
-#include "ui/marks/root_marks.h"
-#include "ui/panels/roots_panel.h"
+#include "ui/session/context.h"
+#include "ui/session/root_edit.h"
 
 namespace versorium {
 namespace {
@@ -40,53 +40,27 @@ void collectRoots(StudioContext& context, ControlList& all) {
     if (!sumOrProductOf(workspace.views[0].map).empty())
         all.choice("versor from", "versor d from the product or the sum over its roots",
                    isRootSum(workspace.views[0].map) ? "sum" : "product", {"product", "sum"},
-                   [c](const std::string& word) { takeRootSum(c->workspace, word == "sum"); });
+                   [c](const std::string& word) {
+                       c->edit([&](Workspace& w) { takeRootSum(w, word == "sum"); });
+                   });
 }
 
 void collectRandom(StudioContext& context, ControlList& all) {
     StudioContext* c = &context;
-    RandomRoots& options = context.versor.draw.options;
-    const auto whole = [&](const char* id, const char* label, int& value, int low, int high) {
-        all.number(id, label, value, 1, low, high,
-                   [&value](double wanted) { value = static_cast<int>(wanted); });
-    };
-    const auto real = [&](const char* id, const char* label, double& value, double step, double low,
-                          double high) {
-        all.number(id, label, value, step, low, high, [&value](double wanted) { value = wanted; });
-    };
-    whole("random least", "roots at random: least number", options.least, 1, kMostRandomRoots);
-    whole("random most", "roots at random: largest number", options.most, 1, kMostRandomRoots);
-    real("random low", "roots at random: least power", options.lowPower, 0.5, -20, 20);
-    real("random high", "roots at random: largest power", options.highPower, 0.5, -20, 20);
-    all.choice("random powers", "roots at random: powers", options.wholePowers ? "whole" : "real",
-               {"whole", "real"},
-               [&options](const std::string& word) { options.wholePowers = word == "whole"; });
-    const std::vector<std::string> words{trLater("even"), trLater("clustered"), trLater("spread")};
-    all.choice("random arrangement", "roots at random: arrangement",
-               words[static_cast<std::size_t>(options.arrangement)], words,
-               [&options, words](const std::string& word) {
-                   options.arrangement = static_cast<RootArrangement>(
-                       std::find(words.begin(), words.end(), word) - words.begin());
-               });
-    whole("random clusters", "roots at random: clusters", options.clusters, 1, 100);
-    real("random cluster size", "roots at random: size of a cluster", options.clusterRadius, 0.05,
-         0.001, 0.999);
-    all.choice("random region", "roots at random: region", options.ball ? "ball" : "box",
-               {"box", "ball"},
-               [&options](const std::string& word) { options.ball = word == "ball"; });
-    whole("random seed", "roots at random: seed", context.versor.draw.seed, 0, 2147483647);
+    all.values({"random.least", "random.most", "random.low", "random.high", "random.whole_powers",
+                "random.arrangement", "random.clusters", "random.cluster_size", "random.ball",
+                "random.seed"});
     all.command("draw roots", "Draw the roots of the seed", "",
                 [c] { drawRoots(*c, c->versor.draw.seed); });
-    whole("candidates", "candidates on the sheet", context.sheet.count, ContactSheet::kLeast,
-          ContactSheet::kMost);
+    all.values({"sheet.candidates"});
     // The sheet's candidates, one of which may be taken without seeing them.
-    for (std::size_t k = 0; context.sheet.open && k < context.sheet.candidates.size(); ++k)
+    for (std::size_t k = 0; context.dialogs.candidates && k < context.sheet.candidates.size(); ++k)
         all.command("candidate " + std::to_string(k + 1),
                     tr("Take the candidate of seed {1}",
                        {std::to_string(context.sheet.candidates[k].seed)}),
                     "", [c, k] {
                         pickCandidate(*c, static_cast<int>(k));
-                        c->sheet.open = false;
+                        c->dialogs.candidates = false;
                     });
 }
 

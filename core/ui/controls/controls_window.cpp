@@ -2,7 +2,7 @@
 // The window's part of the list of controls: views, theme, language, exports, lessons, commands.
 #include <algorithm>
 
-#include "render/frame.h"
+#include "ui/controls/commands.h"
 #include "ui/controls/control_list.h"
 
 namespace versorium {
@@ -15,35 +15,21 @@ void collectWindow(StudioContext& context, ControlList& all) {
     const std::string analysis = trLater("an analysis");
     all.choice("layout", "number of views", workspace.analysis() ? analysis : std::to_string(count),
                {"1", "2", "4", analysis}, [c, analysis](const std::string& wanted) {
-                   if (wanted != analysis) return setViewCount(c->workspace, std::stoi(wanted));
-                   if (!setAnalysis(c->workspace))
+                   const bool set = c->edit([&](Workspace& w) {
+                       if (wanted == analysis) return setAnalysis(w);
+                       setViewCount(w, std::stoi(wanted));
+                       return true;
+                   });
+                   if (!set)
                        c->say("This map has no two parameters that could be the axes of a set");
                });
     std::vector<std::string> views;
     for (int k = 1; k <= count; ++k) views.push_back(std::to_string(k));
-    all.choice("marked", "marked view", std::to_string(workspace.focused + 1), views,
+    all.choice("marked", "focused view", std::to_string(workspace.focused + 1), views,
                [c](const std::string& wanted) { c->mark(std::stoi(wanted) - 1); });
     all.values({"maximised"});
-    std::vector<std::string> names;
-    for (const StudioTheme& theme : themes()) names.push_back(theme.name);
-    all.choice("theme", "theme", names[context.theme], names, [c, names](const std::string& name) {
-        c->theme =
-            static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
-        c->host.store("theme", name);
-        c->fontsChanged = true;
-    });
-    std::vector<std::string> ids, spoken;
-    for (const Language& language : languages())
-        ids.push_back(language.id), spoken.push_back(language.name);
-    all.choice(
-        "language", "language", languageNow().id, ids, [c](const std::string& id) { c->speak(id); },
-        spoken);
-    all.choice("renderer", "who draws live pictures", std::string(wordOf(context.renderer)),
-               wordsOf<RendererChoice>(),
-               [c](const std::string& wanted) { c->choose(*fromWord<RendererChoice>(wanted)); });
-    all.number("export", "pixels wide of an export", context.exporting.width, 100, 16, kMostPixels,
-               [c](double value) { c->exporting.width = static_cast<int>(value); });
-    all.command("begin export", "Export the marked view now", "", [c] { c->startExport(); });
+    all.values({"theme", "language", "renderer", "export.width"});
+    all.command("begin export", "Export the focused view now", "", [c] { c->startExport(); });
     if (context.host.exportProgress() >= 0)
         all.command("cancel export", "Cancel the export", "", [c] { c->host.cancelExport(); });
 }

@@ -5,6 +5,7 @@
 
 #include "plate/plate_picture.h"
 #include "render/frame.h"
+#include "ui/dialogs/dialogs.h"
 #include "ui/session/context.h"
 #include "ui/widgets/help.h"
 #include "ui/widgets/panel_parts.h"
@@ -53,7 +54,7 @@ void plateOptions(StudioContext& context, ExportOptions& options) {
         ImGui::EndCombo();
     }
     if (context.workspace.views.size() > 1 && options.builtIn.empty()) {
-        if (radio("marked view", "export what", !options.allViews)) options.allViews = false;
+        if (radio("focused view", "export what", !options.allViews)) options.allViews = false;
         ImGui::SameLine();
         if (radio("all views", "export what", options.allViews)) options.allViews = true;
     }
@@ -76,9 +77,10 @@ void plateOptions(StudioContext& context, ExportOptions& options) {
 
 void drawExport(StudioContext& context) {
     const std::string window = named("Export");
-    if (context.exportOpen && !ImGui::IsPopupOpen(window.c_str())) ImGui::OpenPopup(window.c_str());
+    if (context.dialogs.exporting && !ImGui::IsPopupOpen(window.c_str()))
+        ImGui::OpenPopup(window.c_str());
     ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
-    if (!ImGui::BeginPopupModal(window.c_str(), &context.exportOpen,
+    if (!ImGui::BeginPopupModal(window.c_str(), &context.dialogs.exporting,
                                 ImGuiWindowFlags_AlwaysAutoResize))
         return;
     ExportOptions& options = context.exporting;
@@ -102,10 +104,10 @@ void drawExport(StudioContext& context) {
         pictureOptions(context, options);
     int samples = context.workspace.view().samples;
     if (ImGui::DragInt(tr("samples along a pixel"), &samples, 0.05f, 1, kMostSamples, "%d",
-                       ImGuiSliderFlags_AlwaysClamp)) {
-        for (Scene& scene : context.workspace.views) scene.samples = samples;
-        context.touch();
-    }
+                       ImGuiSliderFlags_AlwaysClamp))
+        context.edit([&](Workspace& w) {
+            for (Scene& scene : w.views) scene.samples = samples;
+        });
     explain("samples");
     ImGui::TextDisabled("%s", options.motion
                                   ? tr("Each PNG carries its scene: it can be opened again.")
@@ -128,32 +130,17 @@ void drawExport(StudioContext& context) {
         const bool closed = ImGui::Button(tr("Close"));
         explain("close");
         if (closed || ImGui::IsKeyPressed(ImGuiKey_Escape)) {
-            context.exportOpen = false;
+            context.dialogs.exporting = false;
             ImGui::CloseCurrentPopup();
         }
     }
     ImGui::PopItemWidth();
-    if (!context.notice.empty() && context.host.now() - context.noticeAt < kNoticeFor) {
+    if (const std::string& notice = context.notices.shown(); !notice.empty()) {
         ImGui::PushTextWrapPos(ImGui::GetFontSize() * 26);
-        ImGui::TextUnformatted(context.notice.c_str());
+        ImGui::TextUnformatted(notice.c_str());
         ImGui::PopTextWrapPos();
     }
     ImGui::EndPopup();
-}
-
-void takeExport(StudioContext& context) {
-    std::optional<Expected<std::string>> outcome = context.host.takeExport();
-    if (!outcome) return;
-    if (*outcome) {
-        const std::string where = trMessage(**outcome);
-        context.say(context.copying ? tr("The picture is in {1}", {where})
-                                    : tr("Exported: {1}", {where}));
-        context.exportOpen = false;
-    } else if (outcome->status().kind() == ErrorKind::cancelled) {
-        context.say("The export was cancelled; nothing was written");
-    } else {
-        context.report(outcome->status());
-    }
 }
 
 }  // namespace versorium

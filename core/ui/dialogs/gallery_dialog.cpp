@@ -2,6 +2,8 @@
 // The gallery: pictures of presets and of recent scenes, for the pointer and for the keyboard.
 #include <algorithm>
 
+#include "ui/backend/texture.h"
+#include "ui/dialogs/dialogs.h"
 #include "ui/session/context.h"
 #include "ui/widgets/help.h"
 #include "ui/widgets/panel_parts.h"
@@ -31,8 +33,8 @@ bool drawCell(StudioContext& context, const Gallery::Entry& entry, bool chosen, 
     const float text = ImGui::GetTextLineHeight() + 6 * context.scale;
     list.AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_FrameBg), 6);
     const ImVec2 corner{high.x, high.y - text};
-    if (const ImTextureID texture = context.gallery.picture(entry))
-        list.AddImageRounded(texture, low, corner, {0, 0}, {1, 1}, IM_COL32_WHITE, 6,
+    if (const unsigned texture = context.gallery.picture(entry))
+        list.AddImageRounded(textureId(texture), low, corner, {0, 0}, {1, 1}, IM_COL32_WHITE, 6,
                              ImDrawFlags_RoundCornersTop);
     else
         list.AddRectFilled(low, corner, ImGui::GetColorU32(ImGuiCol_WindowBg), 6);
@@ -75,15 +77,17 @@ int moved(int chosen, int columns, int presets, int recent) {
 
 void drawGallery(StudioContext& context) {
     const std::string window = named("Presets and recent scenes");
-    if (context.galleryOpen && !ImGui::IsPopupOpen(window.c_str())) {
+    int& at = context.panels.of<GalleryPlace>().at;
+    if (context.dialogs.gallery && !ImGui::IsPopupOpen(window.c_str())) {
         ImGui::OpenPopup(window.c_str());
-        context.galleryAt = 0;
+        at = 0;
     }
     const ImGuiViewport& screen = *ImGui::GetMainViewport();
     ImGui::SetNextWindowPos(screen.GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize(
         {std::min(920.0f * context.scale, screen.Size.x * 0.96f), screen.Size.y * 0.86f});
-    if (!ImGui::BeginPopupModal(window.c_str(), &context.galleryOpen, ImGuiWindowFlags_NoResize))
+    if (!ImGui::BeginPopupModal(window.c_str(), &context.dialogs.gallery,
+                                ImGuiWindowFlags_NoResize))
         return;
     bool idle = true;
     for (const ViewState& view : context.views) idle = idle && !view.picture.waiting();
@@ -100,11 +104,10 @@ void drawGallery(StudioContext& context) {
     const float wide = (room - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
     const float tall =
         wide * Gallery::kHeight / Gallery::kWidth + ImGui::GetTextLineHeight() + 6 * context.scale;
-    const int before = context.galleryAt;
-    context.galleryAt =
-        std::clamp(moved(context.galleryAt, columns, static_cast<int>(presets.size()),
-                         static_cast<int>(recent.size())),
-                   0, std::max(0, count - 1));
+    const int before = at;
+    at = std::clamp(
+        moved(at, columns, static_cast<int>(presets.size()), static_cast<int>(recent.size())), 0,
+        std::max(0, count - 1));
     int index = 0;
     for (const auto* entries : {&presets, &recent}) {
         ImGui::TextDisabled("%s", entries == &presets ? tr("Presets") : tr("Recent"));
@@ -112,9 +115,9 @@ void drawGallery(StudioContext& context) {
         int column = 0;
         for (const Gallery::Entry& entry : *entries) {
             if (column > 0) ImGui::SameLine(0, gap);
-            const bool chosen = index == context.galleryAt;
+            const bool chosen = index == at;
             if (drawCell(context, entry, chosen, {wide, tall})) taken = entry;
-            if (chosen && before != context.galleryAt) ImGui::SetScrollHereY(0.5f);
+            if (chosen && before != at) ImGui::SetScrollHereY(0.5f);
             if (chosen && (ImGui::IsKeyPressed(ImGuiKey_Enter, false) ||
                            ImGui::IsKeyPressed(ImGuiKey_KeypadEnter, false)))
                 taken = entry;
@@ -125,7 +128,7 @@ void drawGallery(StudioContext& context) {
     }
     ImGui::EndChild();
     if (taken || ImGui::IsKeyPressed(ImGuiKey_Escape)) {
-        context.galleryOpen = false;
+        context.dialogs.gallery = false;
         ImGui::CloseCurrentPopup();
     }
     if (taken) openEntry(context, *taken);

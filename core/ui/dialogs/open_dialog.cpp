@@ -2,6 +2,7 @@
 // A list of files, where the host has no dialog of its own.
 #include <algorithm>
 
+#include "ui/dialogs/dialogs.h"
 #include "ui/session/context.h"
 #include "ui/session/open_file.h"
 #include "ui/widgets/help.h"
@@ -11,7 +12,7 @@ namespace versorium {
 namespace {
 
 void enter(StudioContext& context, const std::string& path) {
-    FileList& list = context.files;
+    FileList& list = context.panels.of<FileList>();
     Expected<Folder> folder = context.host.listFolder(path);
     list.problem = folder ? "" : folder.status().message();
     if (!folder) return;
@@ -24,46 +25,43 @@ void enter(StudioContext& context, const std::string& path) {
 
 // True when a file was opened.
 bool take(StudioContext& context, const FolderEntry& entry) {
-    const std::string& here = context.files.folder.path;
+    const std::string& here = context.panels.of<FileList>().folder.path;
     const std::string path = (here == "/" ? here : here + "/") + entry.name;
     if (entry.isFolder) {
         enter(context, path);
         return false;
     }
     const Status status = openFile(context, path);
-    context.files.problem = status.message();
+    context.panels.of<FileList>().problem = status.message();
     return status.ok();
 }
 
 bool takeTyped(StudioContext& context) {
-    const std::string path = context.files.typed;
+    const std::string path = context.panels.of<FileList>().typed;
     if (context.host.listFolder(path)) {
         enter(context, path);
         return false;
     }
     const Status status = openFile(context, path);
-    context.files.problem = status.message();
+    context.panels.of<FileList>().problem = status.message();
     return status.ok();
 }
 
 }  // namespace
 
-void StudioContext::chooseFile() {
-    if (host.chooseFile()) return;
-    fileOpen = true;
-    enter(*this, files.folder.path);
-}
-
 void drawOpenFile(StudioContext& context) {
     const std::string window = named("Open a file");
-    if (context.fileOpen && !ImGui::IsPopupOpen(window.c_str())) ImGui::OpenPopup(window.c_str());
+    FileList& list = context.panels.of<FileList>();
+    if (context.dialogs.files && !ImGui::IsPopupOpen(window.c_str())) {
+        ImGui::OpenPopup(window.c_str());
+        enter(context, list.folder.path);
+    }
     const ImGuiViewport& screen = *ImGui::GetMainViewport();
     ImGui::SetNextWindowPos(screen.GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize(
         {std::min(620.0f * context.scale, screen.Size.x * 0.96f), screen.Size.y * 0.76f});
-    if (!ImGui::BeginPopupModal(window.c_str(), &context.fileOpen, ImGuiWindowFlags_NoResize))
+    if (!ImGui::BeginPopupModal(window.c_str(), &context.dialogs.files, ImGuiWindowFlags_NoResize))
         return;
-    FileList& list = context.files;
     bool done = false;
     char typed[1024] = {};
     list.typed.copy(typed, sizeof typed - 1);
@@ -103,7 +101,7 @@ void drawOpenFile(StudioContext& context) {
     const bool closed = ImGui::Button(tr("Close"));
     explain("close");
     if (done || closed || (!typing && ImGui::IsKeyPressed(ImGuiKey_Escape))) {
-        context.fileOpen = false;
+        context.dialogs.files = false;
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();

@@ -4,6 +4,7 @@
 
 #include "ui/controls/access.h"
 #include "ui/controls/controls.h"
+#include "ui/dialogs/dialogs.h"
 #include "ui/session/context.h"
 #include "ui/widgets/help.h"
 #include "ui/widgets/panel_parts.h"
@@ -28,7 +29,7 @@ void setRest(TeacherLink& link, const std::string& word) {
 
 // One line for each control: as all others, open, locked or hidden.
 void drawNames(StudioContext& context) {
-    TeacherLink& link = context.handing.link;
+    TeacherLink& link = context.panels.of<TeacherDialog>().link;
     ImGui::BeginChild("names", {0, 12 * ImGui::GetFontSize()});
     for (const Control& control : controlsOf(context)) {
         if (control.kind == ControlKind::command) continue;
@@ -52,16 +53,10 @@ void drawNames(StudioContext& context) {
 
 }  // namespace
 
-void openTeacherDialog(StudioContext& context) {
-    context.handing.open = true;
-    context.handing.withLesson = context.lessons.now && context.lessons.now->own;
-    context.host.wake();
-}
-
 Expected<std::string> teacherAddress(StudioContext& context) {
-    TeacherLink& link = context.handing.link;
-    const bool lesson =
-        context.handing.withLesson && context.lessons.now && context.lessons.now->own;
+    TeacherLink& link = context.panels.of<TeacherDialog>().link;
+    const bool lesson = context.panels.of<TeacherDialog>().withLesson && context.lessons.now &&
+                        context.lessons.now->own;
     link.lesson = lesson ? context.lessons.now->session.lesson().id : "";
     link.step.reset();
     if (lesson) link.step = static_cast<int>(context.lessons.now->session.at());
@@ -83,23 +78,27 @@ Expected<std::string> teacherAddress(StudioContext& context) {
 void copyTeacherLink(StudioContext& context, bool asFrame) {
     const Expected<std::string> address = teacherAddress(context);
     if (!address) return context.report(address.status());
-    const bool lesson = context.handing.withLesson && context.lessons.now;
+    const bool lesson = context.panels.of<TeacherDialog>().withLesson && context.lessons.now;
     const std::string title = lesson ? context.lessons.now->session.lesson().title
                                      : std::string(mapOf(context.workspace.views[0]).info.title);
-    context.handing.made = asFrame ? iframeOf(*address, "Versorium: " + title) : *address;
-    context.host.setClipboard(context.handing.made);
+    context.panels.of<TeacherDialog>().made =
+        asFrame ? iframeOf(*address, "Versorium: " + title) : *address;
+    context.host.setClipboard(context.panels.of<TeacherDialog>().made);
     context.say(asFrame ? "The snippet for a web page is on the clipboard"
                         : "The teacher's link is on the clipboard");
 }
 
 void drawTeacherDialog(StudioContext& context) {
-    TeacherDialog& dialog = context.handing;
+    TeacherDialog& dialog = context.panels.of<TeacherDialog>();
     const std::string window = named("A teacher's link");
-    if (dialog.open && !ImGui::IsPopupOpen(window.c_str())) ImGui::OpenPopup(window.c_str());
+    if (context.dialogs.teacher && !ImGui::IsPopupOpen(window.c_str())) {
+        ImGui::OpenPopup(window.c_str());
+        dialog.withLesson = context.lessons.now && context.lessons.now->own;
+    }
     const ImGuiViewport& screen = *ImGui::GetMainViewport();
     ImGui::SetNextWindowPos(screen.GetCenter(), ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize({std::min(560.0f * context.scale, screen.Size.x * 0.96f), 0});
-    if (!ImGui::BeginPopupModal(window.c_str(), &dialog.open,
+    if (!ImGui::BeginPopupModal(window.c_str(), &context.dialogs.teacher,
                                 ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
         return;
     TeacherLink& link = dialog.link;
@@ -127,14 +126,15 @@ void drawTeacherDialog(StudioContext& context) {
     if (ImGui::Button(tr("Copy a snippet for a web page"))) copyTeacherLink(context, true);
     explain("copy frame");
     ImGui::SameLine();
-    if (ImGui::Button(tr("Close")) || ImGui::IsKeyPressed(ImGuiKey_Escape)) dialog.open = false;
+    if (ImGui::Button(tr("Close")) || ImGui::IsKeyPressed(ImGuiKey_Escape))
+        context.dialogs.teacher = false;
     explain("close dialog");
     if (!dialog.made.empty()) {
         ImGui::PushTextWrapPos();
         ImGui::TextDisabled("%s", dialog.made.c_str());
         ImGui::PopTextWrapPos();
     }
-    if (!dialog.open) ImGui::CloseCurrentPopup();
+    if (!context.dialogs.teacher) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 

@@ -19,7 +19,9 @@ void AssetStore::put(const std::string& hash, std::shared_ptr<const Asset> asset
 
 std::vector<std::string> AssetStore::fill(Assets& assets) {
     std::vector<std::string> missing;
-    for (auto& [hash, asset] : assets) {
+    for (auto& entry : assets) {
+        const std::string& hash = entry.first;  // no binding: lambdas cannot take one in clang 14
+        auto& asset = entry.second;
         if (asset) continue;
         const auto found = std::find_if(assets_.begin(), assets_.end(),
                                         [&](const auto& one) { return one.first == hash; });

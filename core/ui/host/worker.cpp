@@ -120,14 +120,14 @@ Expected<std::vector<unsigned char>> computeExport(CpuRenderer& renderer,
         {reinterpret_cast<const unsigned char*>(request.document.data()), request.document.size()});
     if (!document) return document.status();
     document->assets.insert(request.assets.begin(), request.assets.end());
-    if (document->kind == "plate") {
+    if (document->kind == DocumentKind::plate) {
         const Expected<PlateDocument> plate = plateFromDocument(*document);
         if (!plate) return plate.status();
         Expected<PlateFile> file = renderPlate(renderer, *plate, job);
         if (!file) return file.status();
         return std::move(file->png);
     }
-    if (document->kind == "animation") {
+    if (document->kind == DocumentKind::animation) {
         const Expected<Movie> movie = movieFromDocument(*document);
         if (!movie) return movie.status();
         return renderArchive(renderer, *movie, job);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Does a WorkRequest on the processor. What runs it, a thread or a web worker, is the host's.
+// Does a WorkRequest on the CPU. What runs it, a thread or a web worker, is the host's.
 
 #include "render/cpu/averaged_maps.h"
 #include "render/cpu/cpu_renderer.h"

@@ -5,6 +5,7 @@
 #include "lesson/spoken.h"
 #include "ui/controls/access.h"
 #include "ui/controls/controls.h"
+#include "ui/lesson/lesson_pane.h"
 #include "ui/session/context.h"
 
 namespace versorium {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ui/controls/access.h"
+#include "ui/lesson/lesson_pane.h"
 #include "ui/session/context.h"
 #include "ui/widgets/help.h"
 #include "ui/widgets/panel_parts.h"

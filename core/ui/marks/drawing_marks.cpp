@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
-// What is drawn over a view while a tool is in the hand, and where α or β differ from place to
-// place.
+// A tool in the hand, with what it has drawn so far, and where α or β differ from place to place.
 #include <algorithm>
 #include <cmath>
 
+#include "scene/shape_controls.h"
 #include "shape/modulation.h"
 #include "ui/backend/texture.h"
+#include "ui/marks/mark.h"
 #include "ui/session/drawing.h"
 #include "ui/session/shape_change.h"
-#include "ui/session/view_plane.h"
 
 namespace versorium {
 namespace {
 
 constexpr int kOverlayWide = 160;  // pixels, stretched over the view
-constexpr ImU32 kInk = IM_COL32(255, 255, 255, 255), kHalo = IM_COL32(8, 10, 14, 200);
+constexpr ImU32 kInk = IM_COL32(255, 255, 255, 255), kInkHalo = IM_COL32(8, 10, 14, 200);
 
 // The number that is shown over the views: the brush's, else the one that differs over space.
-Drawing::Tool shownNumber(const StudioContext& context) {
+Drawing::Tool toolShown(const StudioContext& context) {
     const Drawing& drawing = context.drawing;
     if (drawing.isBrush()) return drawing.tool;
     const Scene& scene = context.workspace.view();
@@ -56,69 +56,81 @@ void fillOverlay(Drawing::Overlay& overlay, const Scene& scene, const OrbitProgr
     overlay.texture = putTexture(overlay.texture, size, pixels.values().data());
 }
 
-void drawOverlay(StudioContext& context, int view, const ViewPlane& plane, ImDrawList& list) {
-    const Drawing::Tool shown = shownNumber(context);
-    const Scene& scene = context.workspace.views[static_cast<std::size_t>(view)];
-    if (shown == Drawing::Tool::none || showsParameters(scene) || !mapOf(scene).info.field) return;
-    const OrbitProgram* program = context.program(view);
+void drawOverlay(const ViewFrame& frame) {
+    StudioContext& context = frame.context;
+    const ViewPlane& plane = frame.plane;
+    const Drawing::Tool shown = toolShown(context);
+    const Scene& scene = frame.scene();
+    if (shown == Drawing::Tool::none || !traitsOf(scene).shape || !mapOf(scene).info.field) return;
+    const OrbitProgram* program = context.bound.program(frame.view);
     if (!program || !program->field) return;
     const bool alpha = shown == Drawing::Tool::alpha;
-    Drawing::Overlay& overlay = context.drawing.overlays[static_cast<std::size_t>(view)];
-    if (overlay.texture == 0 || overlay.revision != context.revision || overlay.tool != shown) {
-        overlay.revision = context.revision;
+    Drawing::Overlay& overlay = context.drawing.overlays[frame.index()];
+    if (overlay.texture == 0 || overlay.revision != context.revision() || overlay.tool != shown) {
+        overlay.revision = context.revision();
         overlay.tool = shown;
         fillOverlay(overlay, scene, *program,
                     alpha ? program->field->alpha() : program->field->beta(),
-                    scene.parameters.at(alpha ? "alpha" : "beta")[0], plane);
+                    (alpha ? shapeControls(scene).alpha : shapeControls(scene).beta), plane);
     }
-    list.AddImage(textureId(overlay.texture), plane.low, plane.high);
+    frame.list().AddImage(textureId(overlay.texture), plane.low, plane.high);
     const std::string name = alpha ? "α" : "β";
-    const std::string low = versorium::shownNumber(overlay.low, 4);
+    const std::string low = shownNumber(overlay.low, 4);
     const std::string text =
         overlay.low == overlay.high
             ? tr("{1} = {2} everywhere", {name, low})
             : tr("{1} from {2} to {3}: amber above its usual value, blue below",
-                 {name, low, versorium::shownNumber(overlay.high, 4)});
+                 {name, low, shownNumber(overlay.high, 4)});
     const float wide = plane.high.x - plane.low.x - 24;
     const float tall = ImGui::CalcTextSize(text.c_str(), nullptr, false, wide).y;
-    drawText(list, {plane.low.x + 12, plane.high.y - tall - 10 * context.scale}, kInk, text, wide);
+    drawText(frame.list(), {plane.low.x + 12, plane.high.y - tall - 10 * context.scale}, kInk, text,
+             wide);
 }
 
-void drawCorners(const StudioContext& context, const ViewPlane& plane, ImDrawList& list) {
-    const Drawing& drawing = context.drawing;
+void drawCorners(const ViewFrame& frame) {
+    const Drawing& drawing = frame.context.drawing;
     std::vector<ImVec2> points;
-    for (const glm::dvec2& corner : drawing.corners) points.push_back(plane.at(corner.x, corner.y));
+    for (const glm::dvec2& corner : drawing.corners)
+        points.push_back(frame.plane.at(corner.x, corner.y));
     if (points.empty()) return;
-    const float scale = context.scale;
+    const float scale = frame.scale();
+    ImDrawList& list = frame.list();
     const ImVec2 first = points[0];
-    if (!drawing.pressed) points.push_back(ImGui::GetIO().MousePos);
+    if (!drawing.pressed) points.push_back(frame.pointer.at);
     // Both ends of a list have 16 bits.
     const int count = std::min(static_cast<int>(points.size()), 8000);
-    list.AddPolyline(points.data(), count, kHalo, 0, 4.5f * scale);
+    list.AddPolyline(points.data(), count, kInkHalo, 0, 4.5f * scale);
     list.AddPolyline(points.data(), count, kInk, 0, 2 * scale);
     list.AddLine(points[static_cast<std::size_t>(count) - 1], first, IM_COL32(255, 255, 255, 110),
                  1.2f * scale);
-    list.AddCircleFilled(first, 6 * scale, kHalo);
-    list.AddCircleFilled(first, 4 * scale, themes()[context.theme].accent);
+    list.AddCircleFilled(first, 6 * scale, kInkHalo);
+    list.AddCircleFilled(first, 4 * scale, themes()[frame.context.theme].accent);
+}
+
+void drawDrawing(const ViewFrame& frame) {
+    drawOverlay(frame);
+    const Drawing& drawing = frame.context.drawing;
+    if (drawing.tool == Drawing::Tool::none) return;
+    if (drawing.tool == Drawing::Tool::outline) {
+        if (frame.view == drawing.view) drawCorners(frame);
+        return;
+    }
+    const ViewPlane& plane = frame.plane;
+    const ImVec2 mouse = frame.pointer.at;
+    const bool over = mouse.x >= plane.low.x && mouse.x < plane.high.x && mouse.y >= plane.low.y &&
+                      mouse.y < plane.high.y;
+    if (!over || !traitsOf(frame.scene()).shape) return;
+    const auto radius = static_cast<float>(drawing.radius * plane.unit());
+    frame.list().AddCircle(mouse, radius, kInkHalo, 0, 4 * frame.scale());
+    frame.list().AddCircle(mouse, radius, kInk, 0, (drawing.erases ? 1.0f : 2.0f) * frame.scale());
+}
+
+bool useTool(const ViewFrame& frame) {
+    return handleDrawing(frame.context, frame.view, frame.plane, frame.pointer);
 }
 
 }  // namespace
 
-void drawDrawing(StudioContext& context, int view, const ViewPlane& plane, ImDrawList& list) {
-    drawOverlay(context, view, plane, list);
-    const Drawing& drawing = context.drawing;
-    if (drawing.tool == Drawing::Tool::none) return;
-    if (drawing.tool == Drawing::Tool::outline) {
-        if (view == drawing.view) drawCorners(context, plane, list);
-        return;
-    }
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const bool over = mouse.x >= plane.low.x && mouse.x < plane.high.x && mouse.y >= plane.low.y &&
-                      mouse.y < plane.high.y;
-    if (!over || showsParameters(context.workspace.views[static_cast<std::size_t>(view)])) return;
-    const auto radius = static_cast<float>(drawing.radius * plane.unit());
-    list.AddCircle(mouse, radius, kHalo, 0, 4 * context.scale);
-    list.AddCircle(mouse, radius, kInk, 0, (drawing.erases ? 1.0f : 2.0f) * context.scale);
-}
+const Mark drawingMark{.draw = drawDrawing, .tool = useTool};
 
 }  // namespace versorium

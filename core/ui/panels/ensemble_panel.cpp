@@ -5,11 +5,12 @@
 #include <cmath>
 #include <cstring>
 
+#include "ui/panels/number_field.h"
+#include "ui/panels/panels.h"
 #include "ui/panels/value_widgets.h"
 #include "ui/session/context.h"
 #include "ui/session/ensemble_change.h"
 #include "ui/widgets/help.h"
-#include "ui/widgets/number_field.h"
 #include "ui/widgets/panel_parts.h"
 
 namespace versorium {
@@ -18,23 +19,23 @@ namespace {
 const std::vector<std::string> kArrangements{trLater("even"), trLater("clustered"),
                                              trLater("spread")};
 
-void take(StudioContext& context, const Status& status) {
+void begin(StudioContext& context, Status (*average)(Scene&)) {
+    const Status status = context.edit([&](Workspace& w) { return average(w.view()); });
     if (!status.ok()) return context.report(status);
     context.welcome = false;
-    context.touch();
 }
 
 void beginButtons(StudioContext& context) {
-    Scene& scene = context.workspace.view();
+    const Scene& scene = context.workspace.view();
     if (!mapOf(scene).info.lists.empty()) {
-        if (ImGui::Button(tr("over random versors"))) take(context, averageOverVersors(scene));
+        if (ImGui::Button(tr("over random versors"))) begin(context, averageOverVersors);
         explain("average versors");
     }
     const std::string number = averagedNumber(scene);
     if (number.empty()) return;
     if (!mapOf(scene).info.lists.empty()) ImGui::SameLine();
     if (ImGui::Button((tr("over {1}", {number}) + "###number").c_str()))
-        take(context, averageOverNumber(scene));
+        begin(context, averageOverNumber);
     explain("average number");
 }
 
@@ -176,7 +177,8 @@ bool showControls(Scene& scene) {
 }  // namespace
 
 void drawEnsemble(StudioContext& context) {
-    Scene& scene = context.workspace.view();
+    // What is drawn changes a copy, which the workspace takes in the end.
+    Scene scene = context.workspace.view();
     EnsembleSpec& ensemble = scene.ensemble;
     if (!ensemble.varies()) return beginButtons(context);
     ImGui::PushID("ensemble");
@@ -199,7 +201,11 @@ void drawEnsemble(StudioContext& context) {
     }
     explain("no average");
     ImGui::PopID();
-    if (changed) context.touch();
+    if (changed)
+        context.edit([&](Workspace& w) {
+            w.view().ensemble = ensemble;
+            w.view().colour = scene.colour;
+        });
 }
 
 }  // namespace versorium

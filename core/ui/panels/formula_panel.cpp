@@ -5,6 +5,7 @@
 
 #include "imgui_internal.h"
 #include "maps/formula_shape.h"
+#include "ui/panels/panels.h"
 #include "ui/session/context.h"
 #include "ui/session/formulas.h"
 #include "ui/widgets/help.h"

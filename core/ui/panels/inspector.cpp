@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/panels/roots_panel.h"
+#include "ui/panels/number_field.h"
+#include "ui/panels/panels.h"
 #include "ui/panels/value_widgets.h"
 #include "ui/session/context.h"
 #include "ui/session/ensemble_change.h"
+#include "ui/views/view.h"
 #include "ui/widgets/help.h"
-#include "ui/widgets/number_field.h"
 #include "ui/widgets/panel_parts.h"
 
 namespace versorium {
@@ -46,15 +47,15 @@ bool pad(const char* id, double& x, double& y, double low, double high) {
 }
 
 void parameters(StudioContext& context) {
-    Workspace& workspace = context.workspace;
+    const Workspace& workspace = context.workspace;
     const MapInfo& info = mapOf(workspace.views[0]).info;
     int component = 0;
     for (const ParameterInfo& parameter : info.parameters) {
         const int width = widthOf(parameter.kind);
         const std::string name(parameter.name);
-        std::vector<double> value = name == kAsPrinted
-                                        ? workspace.view().parameters[name]
-                                        : workspace.views[workspace.speaker()].parameters[name];
+        const Scene& spoken =
+            parameter.ofView ? workspace.view() : workspace.views[workspace.speaker()];
+        std::vector<double> value = spoken.parameters.at(name);
         bool changed = false;
         ImGui::PushID(name.c_str());
         if (width >= 2) {
@@ -80,10 +81,7 @@ void parameters(StudioContext& context) {
             ImGui::EndGroup();
         }
         ImGui::PopID();
-        if (changed) {
-            setSharedParameter(workspace, name, value);
-            context.touch();
-        }
+        if (changed) context.edit([&](Workspace& w) { setSharedParameter(w, name, value); });
         component += width;
     }
 }
@@ -92,14 +90,12 @@ void axisControl(StudioContext& context, std::size_t k) {
     const Scene& scene = context.workspace.view();
     const auto& terms = scene.slice.axes[k].terms;
     std::string name = terms.size() == 1 ? terms[0].first : "";
-    if (!chooseName(k == 0 ? "axis →" : "axis ↑", "axis", name, axisNames(scene), "several"))
-        return;
-    setAxis(context.workspace, k, name);
-    context.touch();
+    if (chooseName(k == 0 ? "axis →" : "axis ↑", "axis", name, axisNames(scene), "several"))
+        context.edit([&](Workspace& w) { setAxis(w, k, name); });
 }
 
 void borderControls(StudioContext& context) {
-    Scene& scene = context.workspace.view();
+    const Scene& scene = context.workspace.view();
     const double aspect = context.aspect(context.workspace.focused);
     const char* labels[] = {trLater("left"), trLater("right"), trLater("bottom"), trLater("top")};
     const std::array<double, 4> borders = bordersOf(scene, aspect);
@@ -109,14 +105,15 @@ void borderControls(StudioContext& context) {
                               .low = value - scene.slice.height,
                               .high = value + scene.slice.height,
                               .slider = false};
+        Scene next = scene;
         if (numberField(context, labels[k], labels[k], value, look) &&
-            setBorder(scene, k, value, aspect))
-            context.touch();
+            setBorder(next, k, value, aspect))
+            context.moveTo(context.workspace.focused, next.slice);
     }
 }
 
 void sliceControls(StudioContext& context) {
-    Scene& scene = context.workspace.view();
+    const Scene& scene = context.workspace.view();
     for (std::size_t k = 0; k < 2 && k < scene.slice.axes.size(); ++k) axisControl(context, k);
     drawValues(context, {"slice.center[0]", "slice.center[1]", "slice.height"});
     const bool open =
@@ -128,21 +125,10 @@ void sliceControls(StudioContext& context) {
     }
 }
 
-// The languages by their own names.
-void chooseLanguage(StudioContext& context) {
-    ImGui::SetNextItemWidth(-1);
-    const bool open = ImGui::BeginCombo("##language", languageNow().name.c_str());
-    if (!open) return explain("language");
-    for (const Language& language : languages())
-        if (ImGui::Selectable(language.name.c_str(), language.id == languageNow().id))
-            context.speak(language.id);
-    ImGui::EndCombo();
-}
-
 }  // namespace
 
 void drawInspector(StudioContext& context) {
-    Workspace& workspace = context.workspace;
+    const Workspace& workspace = context.workspace;
     const MapInfo& info = mapOf(workspace.views[0]).info;
     heading("Map");
     ImGui::SetNextItemWidth(-1);
@@ -167,15 +153,15 @@ void drawInspector(StudioContext& context) {
         explainBy(shown.source);
     }
     drawFormulaPanel(context);
-    if (ImGui::Button(tr("Gallery"))) context.galleryOpen = true;
+    if (ImGui::Button(tr("Gallery"))) context.dialogs.gallery = true;
     explain("gallery");
-    if (rowButton("Find", "find")) context.searchOpen = true;
+    if (rowButton("Find", "find")) context.dialogs.find = true;
     if (rowButton("Open", "open")) context.chooseFile();
-    if (rowButton("Export", "export dialog")) context.exportOpen = true;
+    if (rowButton("Export", "export dialog")) context.dialogs.exporting = true;
     if (rowButton("Lessons", "lessons")) context.lessons.open = !context.lessons.open;
 
     heading("Parameters");
-    if (workspace.views[0].map != "planar") parameters(context);
+    if (!mapOf(workspace.views[0]).info.planarCoefficients) parameters(context);
     drawPlanarPanel(context);
     drawShapePanel(context);
     drawSpaceView(context);
@@ -188,8 +174,8 @@ void drawInspector(StudioContext& context) {
     if (takesCircles(workspace) && section("Basins and circles", circled))
         drawCircleControls(context);
 
-    if (showsParameters(workspace.view())) {
-        heading("Start of the orbits in the marked view");
+    if (traitsOf(workspace.view()).ownStart) {
+        heading("Start of the orbits in the focused view");
         drawStartControls(context);
     }
 
@@ -203,7 +189,7 @@ void drawInspector(StudioContext& context) {
     drawValues(context, {"iterations", "escape_radius", "escape_test"});
     drawComparedControls(context);
 
-    heading(workspace.views.size() > 1 ? "Slice of the marked view" : "Slice");
+    heading(workspace.views.size() > 1 ? "Slice of the focused view" : "Slice");
     sliceControls(context);
     heading("Colours");
     drawGroup(context, "colour");
@@ -211,8 +197,8 @@ void drawInspector(StudioContext& context) {
         drawEnsemble(context);
     if (section("Images behind and in front", !workspace.view().layers.empty()))
         drawLayers(context);
-    heading("Language");
-    chooseLanguage(context);
+    heading("Interface");
+    drawValues(context, {"language", "theme"});
 }
 
 }  // namespace versorium

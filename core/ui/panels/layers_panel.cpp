@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Images behind and in front of the marked view's fractal.
+// Images behind and in front of the focused view's fractal.
 #include <algorithm>
 
+#include "ui/panels/number_field.h"
+#include "ui/panels/panels.h"
 #include "ui/panels/value_widgets.h"
 #include "ui/session/context.h"
+#include "ui/session/open_file.h"
 #include "ui/widgets/help.h"
-#include "ui/widgets/number_field.h"
 
 namespace versorium {
 namespace {
@@ -26,8 +28,7 @@ std::string nameOf(const Scene& scene, const Layer& layer) {
 }  // namespace
 
 void drawLayers(StudioContext& context) {
-    Scene& scene = context.workspace.view();
-    bool changed = false;
+    const Scene& scene = context.workspace.view();
     int removed = -1;
     for (std::size_t k = 0; k < scene.layers.size(); ++k) {
         ImGui::PushID(static_cast<int>(k));
@@ -43,22 +44,18 @@ void drawLayers(StudioContext& context) {
         }
         ImGui::PopID();
     }
-    if (removed >= 0) {
-        scene.layers.erase(scene.layers.begin() + removed);
-        dropUnnamedAssets(context.workspace);
-        changed = true;
-    }
+    if (removed >= 0)
+        context.edit([&](Workspace& w) {
+            w.view().layers.erase(w.view().layers.begin() + removed);
+            dropUnnamedAssets(w);
+        });
     if (scene.layers.size() < kMostLayers) {
-        if (ImGui::Button(tr("Leaf"))) {
-            scene.layers.push_back({});
-            changed = true;
-        }
+        if (ImGui::Button(tr("Leaf")))
+            context.edit([](Workspace& w) { addBuiltInLayer(w.view(), true); });
         explain("layer leaf");
         ImGui::SameLine();
-        if (ImGui::Button(tr("White"))) {
-            scene.layers.insert(scene.layers.begin(), Layer{.sources = {"#ffffff"}});
-            changed = true;
-        }
+        if (ImGui::Button(tr("White")))
+            context.edit([](Workspace& w) { addBuiltInLayer(w.view(), false); });
         explain("layer white");
         ImGui::SameLine();
         if (ImGui::Button(tr("Image …"))) {
@@ -66,12 +63,10 @@ void drawLayers(StudioContext& context) {
             context.chooseFile();
         }
         explain("layer image");
-        ImGui::Checkbox(tr("opened images lie behind"), &context.imagesAreLayers);
-        explain("layer drop");
+        drawValue(context, "images_are_layers");
     }
     if (!scene.layers.empty() && scene.colour.rule != ColourRule::gradient)
         ImGui::TextDisabled("%s", tr("Colours of the gradient rule let images through."));
-    if (changed) context.touch();
 }
 
 }  // namespace versorium

@@ -2,8 +2,10 @@
 // The controls that a lesson's step or a teacher's link leaves open, in place of the inspector.
 #include "ui/controls/access.h"
 #include "ui/controls/controls.h"
+#include "ui/panels/panels.h"
 #include "ui/panels/value_widgets.h"
 #include "ui/session/context.h"
+#include "ui/views/view.h"
 #include "ui/widgets/help.h"
 #include "ui/widgets/panel_parts.h"
 

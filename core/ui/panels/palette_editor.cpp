@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The palette of the marked view: which one, and its stops.
+// The palette of the focused view: which one, and its stops.
 #include <algorithm>
 #include <cmath>
 
+#include "ui/panels/panels.h"
 #include "ui/session/context.h"
 #include "ui/widgets/help.h"
 #include "ui/widgets/palette_stops.h"
@@ -31,7 +32,7 @@ bool colourField(const char* label, Colour& colour, const char* control) {
 
 // The bar with its stops; true when one was moved or added.
 bool drawStops(StudioContext& context, Palette& palette) {
-    int& chosen = context.paletteStop;
+    int& chosen = context.panels.of<PaletteStopChoice>().at;
     const float wide = ImGui::GetContentRegionAvail().x, tall = ImGui::GetFrameHeight() * 1.6f;
     const float reach = 7 * context.scale;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -80,7 +81,7 @@ bool drawStops(StudioContext& context, Palette& palette) {
 
 bool drawChosen(StudioContext& context, Palette& palette) {
     bool changed = false;
-    int& chosen = context.paletteStop;
+    int& chosen = context.panels.of<PaletteStopChoice>().at;
     if (chosen >= static_cast<int>(palette.stops().size())) chosen = -1;
     if (chosen >= 0) {
         Colour colour = palette.stops()[static_cast<std::size_t>(chosen)].colour;
@@ -123,7 +124,7 @@ bool drawChosen(StudioContext& context, Palette& palette) {
 }  // namespace
 
 void drawPaletteEditor(StudioContext& context) {
-    Colouring& colour = context.workspace.view().colour;
+    const Colouring& colour = context.workspace.view().colour;
     Expected<Palette> found = colour.ownPalette.is_null() ? paletteNamed(colour.palette)
                                                           : paletteFromJson(colour.ownPalette);
     if (!found) return;
@@ -146,10 +147,11 @@ void drawPaletteEditor(StudioContext& context) {
         explain("edit palette");
         if (!pressed && !clicked) return;
         palette = ownPaletteFrom(palette);
-        context.paletteStop = -1;
-        colour.palette = palette.name();
-        colour.ownPalette = paletteToJson(palette);
-        return context.touch();
+        context.panels.of<PaletteStopChoice>().at = -1;
+        return context.edit([&](Workspace& w) {
+            w.view().colour.palette = palette.name();
+            w.view().colour.ownPalette = paletteToJson(palette);
+        });
     }
     bool changed = drawStops(context, palette);
     changed |= drawChosen(context, palette);
@@ -167,8 +169,7 @@ void drawPaletteEditor(StudioContext& context) {
     }
     explain("copy palette");
     if (!changed) return;
-    colour.ownPalette = paletteToJson(palette);
-    context.touch();
+    context.edit([&](Workspace& w) { w.view().colour.ownPalette = paletteToJson(palette); });
 }
 
 }  // namespace versorium

@@ -3,10 +3,11 @@
 // algebra, and the ways to the complex map of the same pictures and back.
 #include <algorithm>
 
+#include "ui/panels/number_field.h"
+#include "ui/panels/panels.h"
 #include "ui/session/context.h"
 #include "ui/session/planar_change.h"
 #include "ui/widgets/help.h"
-#include "ui/widgets/number_field.h"
 #include "ui/widgets/panel_parts.h"
 
 namespace versorium {
@@ -22,7 +23,8 @@ const std::vector<std::string>& planarPresets() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> found;
         for (const std::string& name : presetNames())
-            if (const Expected<Scene> scene = presetNamed(name); scene && scene->map == "planar")
+            if (const Expected<Scene> scene = presetNamed(name);
+                scene && mapOf(*scene).info.planarCoefficients)
                 found.push_back(name);
         return found;
     }();
@@ -40,7 +42,7 @@ void axisButton(StudioContext& context, const std::string& name, const char* lab
 }
 
 void drawRow(StudioContext& context, std::size_t term) {
-    Workspace& workspace = context.workspace;
+    const Workspace& workspace = context.workspace;
     const MapInfo& info = mapOf(workspace.views[0]).info;
     const float letter = ImGui::GetFontSize();
     ImGui::TableNextRow();
@@ -60,10 +62,8 @@ void drawRow(StudioContext& context, std::size_t term) {
                               .home = parameter.value[0],
                               .slider = false,
                               .animated = true};
-        if (numberCell(context, name, value, look, wide - letter * 4.4f - 4)) {
-            setSharedNumber(workspace, name, value);
-            context.touch();
-        }
+        if (numberCell(context, name, value, look, wide - letter * 4.4f - 4))
+            context.edit([&](Workspace& w) { setSharedNumber(w, name, value); });
         ImGui::SameLine(0, 4);
         ImGui::AlignTextToFramePadding();
         if (value == 0)
@@ -118,8 +118,8 @@ void drawPresets(StudioContext& context) {
 }  // namespace
 
 void drawPlanarPanel(StudioContext& context) {
-    Workspace& workspace = context.workspace;
-    if (workspace.views[0].map != "planar") {
+    const Workspace& workspace = context.workspace;
+    if (!mapOf(workspace.views[0]).info.planarCoefficients) {
         const auto polynomial = polynomialOf(context);
         if (!polynomial) return;
         if (ImGui::Button(tr("as planar system"))) showAsPlanarSystem(context);
@@ -152,11 +152,11 @@ void drawPlanarPanel(StudioContext& context) {
         explain("as complex map");
         ImGui::SameLine();
     }
-    if (ImGui::Button(tr("reset"))) {
-        for (const ParameterInfo& parameter : mapOf(workspace.views[0]).info.parameters)
-            setSharedNumber(workspace, std::string(parameter.name), parameter.value[0]);
-        context.touch();
-    }
+    if (ImGui::Button(tr("reset")))
+        context.edit([](Workspace& w) {
+            for (const ParameterInfo& parameter : mapOf(w.views[0]).info.parameters)
+                setSharedNumber(w, std::string(parameter.name), parameter.value[0]);
+        });
     explain("reset");
 }
 

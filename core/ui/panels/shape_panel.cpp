@@ -5,18 +5,28 @@
 #include <cmath>
 #include <cstring>
 
+#include "scene/shape_controls.h"
 #include "scene/shape_name.h"
+#include "ui/panels/number_field.h"
+#include "ui/panels/panels.h"
 #include "ui/panels/value_widgets.h"
 #include "ui/session/context.h"
 #include "ui/session/shape_change.h"
 #include "ui/widgets/help.h"
-#include "ui/widgets/number_field.h"
 #include "ui/widgets/panel_parts.h"
 
 namespace versorium {
 namespace {
 
 constexpr std::size_t kTextBytes = 1 << 16;
+
+// The text of a shape as it is typed, and what the scene had when it was last shown.
+struct ShapeText {
+    std::string text, shown;
+};
+struct ShapeTexts {
+    ShapeText shape, alpha, beta;
+};
 
 bool toolButton(StudioContext& context, const char* label, const char* control,
                 Drawing::Tool tool) {
@@ -65,23 +75,23 @@ void shapeControls(StudioContext& context) {
     const std::string chosen =
         chosenShape("##shape", "shape choice", trMessage(shapeName(scene, scene.shape.source)));
     if (!chosen.empty()) return context.report(setShape(context, chosen));
-    ShapeText& typed = context.shapeText;
+    ShapeText& typed = context.panels.of<ShapeTexts>().shape;
     const std::string source = scene.shape.source.starts_with("asset:") ? "" : scene.shape.source;
     if (typed.shown != source) typed.text = typed.shown = source;
     if (shapeText("##shape text", "shape text", typed.text)) {
         context.report(setShape(context, typed.text));
         return;
     }
-    const OrbitProgram* program = context.program(context.workspace.focused);
+    const OrbitProgram* program = context.bound.program(context.workspace.focused);
     if (!program || !program->field) {
         ImGui::TextDisabled("%s", tr("Its distances are being measured …"));
         return;
     }
     const double zero[3] = {};
     double phi = program->field->at(zero[0], zero[1], zero[2]);
-    if (!showsParameters(scene)) {
-        const std::vector<double>& shift = scene.parameters.at("shift");
-        phi = program->field->at(-shift[0], -shift[1], shift.size() > 2 ? -shift[2] : 0.0);
+    if (traitsOf(scene).shape) {
+        const std::array<double, 3> shift = shapeControls(scene).seenShift();
+        phi = program->field->at(-shift[0], -shift[1], -shift[2]);
     }
     if (phi > 0) {
         ImGui::PushTextWrapPos();
@@ -96,7 +106,8 @@ void shapeControls(StudioContext& context) {
     explain("as printed");
 }
 
-ModulationSpec& specOf(Scene& scene, bool alpha) {
+template <class S>
+auto& specOf(S& scene, bool alpha) {
     return alpha ? scene.alphaOverSpace : scene.betaOverSpace;
 }
 
@@ -105,19 +116,15 @@ void setSpec(StudioContext& context, bool alpha, const ModulationSpec& spec) {
     Workspace next = context.workspace;
     for (Scene& scene : next.views) specOf(scene, alpha) = spec;
     if (Status status = checkModulation(next.view()); !status.ok()) return context.report(status);
-    context.workspace = std::move(next);
-    dropUnnamedAssets(context.workspace);
-    context.touch();
+    dropUnnamedAssets(next);
+    context.edit([&](Workspace& w) { w = std::move(next); });
 }
 
 void brushControls(StudioContext& context, bool alpha, const ModulationSpec& spec) {
-    Drawing& drawing = context.drawing;
-    const std::string name = alpha ? "α" : "β";
     toolButton(context, alpha ? "Paint α" : "Paint β", "paint",
                alpha ? Drawing::Tool::alpha : Drawing::Tool::beta);
     ImGui::SameLine();
-    ImGui::Checkbox(tr("erase"), &drawing.erases);
-    explain("erase");
+    drawValue(context, "brush.erases");
     ImGui::SameLine();
     ImGui::TextDisabled("%s", tr("{1} dabs", {std::to_string(spec.discs.size())}).c_str());
     if (!spec.discs.empty()) {
@@ -129,14 +136,7 @@ void brushControls(StudioContext& context, bool alpha, const ModulationSpec& spe
         }
         explain("clear paint");
     }
-    double& value = alpha ? drawing.alpha : drawing.beta;
-    numberField(
-        context, name + " of the brush", tr("{1} of brush", {name}), value,
-        {.help = helpOf("brush value"), .low = alpha ? 0.0 : -0.5, .high = alpha ? 300 : 0.5});
-    numberField(context, "radius of the brush", "radius", drawing.radius,
-                {.help = helpOf("brush radius"), .low = 0.01, .high = 1, .logarithmic = true});
-    value = std::clamp(value, -kLargestModulated, kLargestModulated);
-    drawing.radius = std::clamp(drawing.radius, 1e-6, 1e6);
+    drawValues(context, {alpha ? "brush.alpha" : "brush.beta", "brush.radius"});
 }
 
 void secondShapeControls(StudioContext& context, bool alpha, const ModulationSpec& now) {
@@ -147,7 +147,8 @@ void secondShapeControls(StudioContext& context, bool alpha, const ModulationSpe
     const std::string chosen =
         chosenShape("##second", "second shape",
                     now.shape.empty() ? tr("none") : trMessage(shapeName(scene, now.shape)));
-    ShapeText& typed = alpha ? context.alphaShapeText : context.betaShapeText;
+    ShapeTexts& texts = context.panels.of<ShapeTexts>();
+    ShapeText& typed = alpha ? texts.alpha : texts.beta;
     const std::string source = now.shape.starts_with("asset:") ? "" : now.shape;
     if (typed.shown != source) typed.text = typed.shown = source;
     bool changed = shapeText("##second text", "second shape text", typed.text);
@@ -190,8 +191,7 @@ void drawShapePanel(StudioContext& context) {
     for (const bool alpha : {true, false}) modulationControls(context, alpha);
     const Scene& scene = context.workspace.view();
     if (scene.alphaOverSpace.modulates() || scene.betaOverSpace.modulates()) {
-        ImGui::Checkbox(tr("show where they differ"), &context.drawing.overlay);
-        explain("overlay");
+        drawValue(context, "brush.overlay");
     }
 }
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "ui/panels/special_widgets.h"
+#include "ui/panels/panels.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "render/colouring.h"
+#include "ui/panels/number_field.h"
 #include "ui/panels/value_widgets.h"
 #include "ui/session/context.h"
 #include "ui/widgets/help.h"
-#include "ui/widgets/number_field.h"
 #include "ui/widgets/panel_parts.h"
 
 namespace versorium {
@@ -26,8 +27,8 @@ bool drawPalette(StudioContext& context, const Control& control) {
 // The values at the palette's ends, in units in which shifting and stretching are linear.
 bool drawRange(StudioContext& context, const Control&) {
     const Scene& scene = context.workspace.view();
-    Colouring& colour = context.workspace.view().colour;
-    const OrbitProgram* program = context.program(context.workspace.focused);
+    Colouring colour = scene.colour;
+    const OrbitProgram* program = context.bound.program(context.workspace.focused);
     if (!program) return false;
     const Expected<ColourPass> pass = ColourPass::make(scene, *program);
     bool own = !colour.range.empty(), changed = false;
@@ -37,7 +38,7 @@ bool drawRange(StudioContext& context, const Control&) {
         colour.range.clear();
         if (own && pass) colour.range = {pass->scale().low, pass->scale().high};
         if (own && colour.reverse && pass) std::swap(colour.range[0], colour.range[1]);
-        context.touch();
+        context.edit([&](Workspace& w) { w.view().colour = colour; });
         return true;
     }
     if (!own || !pass) return false;
@@ -70,8 +71,7 @@ bool drawRange(StudioContext& context, const Control&) {
     }
     const Scale scale{pass->scale().kind, next[0], next[1]};
     if (!changed || !scale.check().ok()) return false;
-    colour.range = next;
-    context.touch();
+    context.edit([&](Workspace& w) { w.view().colour.range = next; });
     return true;
 }
 

@@ -6,11 +6,12 @@
 
 #include "maps/critical.h"
 #include "render/system_of.h"
-#include "ui/marks/study_marks.h"
+#include "ui/marks/shapes.h"
+#include "ui/panels/number_field.h"
+#include "ui/panels/panels.h"
 #include "ui/panels/value_widgets.h"
 #include "ui/session/context.h"
 #include "ui/widgets/help.h"
-#include "ui/widgets/number_field.h"
 
 namespace versorium {
 namespace {
@@ -63,7 +64,7 @@ void drawBadge(StudioContext& context, int view) {
 
 // Which of the critical points, where there are several.
 void chooseCritical(StudioContext& context, int view) {
-    Scene& scene = context.workspace.views[static_cast<std::size_t>(view)];
+    const Scene& scene = context.workspace.views[static_cast<std::size_t>(view)];
     const std::optional<System> system = shownSystem(context);
     if (!system || system->dimension() > 2) return;
     const std::vector<PlanePoint> points = criticalPointsOf(*system);
@@ -79,10 +80,10 @@ void chooseCritical(StudioContext& context, int view) {
         "##which critical", now < points.size() ? textOf(now).c_str() : tr("another one"));
     if (!open) return explain("which critical point");
     for (std::size_t k = 0; k < points.size(); ++k)
-        if (ImGui::Selectable(textOf(k).c_str(), k == now) && k != now) {
-            scene.criticalStart = static_cast<int>(k);
-            context.touch();
-        }
+        if (ImGui::Selectable(textOf(k).c_str(), k == now) && k != now)
+            context.edit([&](Workspace& w) {
+                w.views[static_cast<std::size_t>(view)].criticalStart = static_cast<int>(k);
+            });
     ImGui::EndCombo();
 }
 
@@ -93,7 +94,7 @@ std::string complexNumber(std::complex<double> value) {
 }
 
 void drawCycleRow(StudioContext& context, const PeriodicCycle& cycle, int index) {
-    Workspace& workspace = context.workspace;
+    const Workspace& workspace = context.workspace;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -119,11 +120,11 @@ void drawCycleRow(StudioContext& context, const PeriodicCycle& cycle, int index)
             values += (values.empty() ? "" : numberSeparator()) + complexNumber(value);
     ImGui::TextUnformatted(values.c_str());
     if (!chosen) return;
-    for (std::size_t k = 0; k < workspace.point.size() && k < 2; ++k)
-        workspace.point[k] = cycle.points[0][k];
-    for (std::size_t k = 2; k < workspace.point.size(); ++k) workspace.point[k] = 0;
-    workspace.orbitAt = 0;
-    context.touch();
+    context.edit([&](Workspace& w) {
+        for (std::size_t k = 0; k < w.point.size(); ++k)
+            w.point[k] = k < 2 ? cycle.points[0][k] : 0;
+        w.orbitAt = 0;
+    });
     std::string text = tr("The orbit starts at x = {1}", {shownNumber(cycle.points[0][0], 9)});
     if (workspace.point.size() > 1)
         text += numberSeparator() + ("y = " + shownNumber(cycle.points[0][1], 9));
@@ -174,20 +175,22 @@ void drawCycleList(StudioContext& context) {
 }  // namespace
 
 void drawStartControls(StudioContext& context) {
-    Workspace& workspace = context.workspace;
-    Scene& scene = workspace.view();
-    if (!showsParameters(scene)) return;
+    const Workspace& workspace = context.workspace;
+    const Scene& scene = workspace.view();
+    if (!traitsOf(scene).ownStart) return;
     const MapKernels& map = mapOf(scene);
     if (hasCriticalPoints(map)) {
         bool critical = scene.criticalStart.has_value();
         if (ImGui::Checkbox(tr("start at the critical point"), &critical)) {
-            if (critical) {
-                scene.criticalStart = 0;
-            } else {
-                scene.start = startOf(context, workspace.focused).value_or(scene.start);
-                scene.criticalStart.reset();
-            }
-            context.touch();
+            const auto start = startOf(context, workspace.focused);
+            context.edit([&](Workspace& w) {
+                if (critical) {
+                    w.view().criticalStart = 0;
+                } else {
+                    if (start) w.view().start = *start;
+                    w.view().criticalStart.reset();
+                }
+            });
         }
         explain("start at the critical point");
     }
@@ -203,10 +206,9 @@ void drawStartControls(StudioContext& context) {
                 "p*" + (dot == std::string::npos ? std::string() : component.substr(dot));
             double value = scene.start[static_cast<std::size_t>(k)];
             if (numberField(context, "start " + component, label, value,
-                            {.help = helpOf("start"), .home = 0.0})) {
-                scene.start[static_cast<std::size_t>(k)] = value;
-                context.touch();
-            }
+                            {.help = helpOf("start"), .home = 0.0}))
+                context.edit(
+                    [&](Workspace& w) { w.view().start[static_cast<std::size_t>(k)] = value; });
         }
         if (map.dimension == 2) {
             if (ImGui::Button(tr("nearest critical point")))
@@ -218,7 +220,7 @@ void drawStartControls(StudioContext& context) {
 }
 
 void drawCycleControls(StudioContext& context) {
-    Workspace& workspace = context.workspace;
+    const Workspace& workspace = context.workspace;
     const MapKernels& map = mapOf(workspace.views[0]);
     const Workspace::Study& study = workspace.study;
     if (map.dimension == 2) drawValue(context, "study.critical_curve");
@@ -237,21 +239,22 @@ void drawCycleControls(StudioContext& context) {
 }
 
 void drawComparedControls(StudioContext& context) {
-    Workspace& workspace = context.workspace;
+    const Workspace& workspace = context.workspace;
     bool on = !workspace.compared.empty();
     if (ImGui::Checkbox(tr("a second start to compare"), &on)) {
-        workspace.compared = on ? workspace.point : std::vector<double>();
-        if (on) workspace.compared[0] += 0.01;
-        context.touch();
+        context.edit([on](Workspace& w) {
+            w.compared = on ? w.point : std::vector<double>();
+            if (on) w.compared[0] += 0.01;
+        });
     }
     explain("compared");
     const MapInfo& info = mapOf(workspace.views[0]).info;
     for (std::size_t k = 0; k < workspace.compared.size(); ++k) {
         const std::string component = stateComponent(info, static_cast<int>(k));
-        if (numberField(context, "second " + component, tr("second {1}", {component}),
-                        workspace.compared[k],
+        double value = workspace.compared[k];
+        if (numberField(context, "second " + component, tr("second {1}", {component}), value,
                         {.help = helpOf("second start"), .home = workspace.point[k]}))
-            context.touch();
+            context.edit([&](Workspace& w) { w.compared[k] = value; });
     }
 }
 

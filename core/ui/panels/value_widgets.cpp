@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "ui/panels/value_widgets.h"
+#include "ui/panels/panels.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "ui/panels/number_field.h"
 #include "ui/panels/special_widgets.h"
 #include "ui/session/context.h"
 #include "ui/widgets/help.h"
-#include "ui/widgets/number_field.h"
 #include "ui/widgets/panel_parts.h"
 
 namespace versorium {

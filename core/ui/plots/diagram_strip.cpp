@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/backend/texture.h"
+#include "ui/plots/plots.h"
 #include "ui/session/context.h"
 #include "ui/widgets/help.h"
 #include "ui/widgets/shown_number.h"
@@ -51,12 +52,11 @@ void keep(StudioContext& context, const Workspace::Diagram& diagram) {
     if (!(diagram.right - diagram.left > 1e-9) || std::abs(diagram.left) > 1e6 ||
         std::abs(diagram.right) > 1e6 || context.workspace.diagram == diagram)
         return;
-    context.workspace.diagram = diagram;
-    context.touch();
+    context.edit([&](Workspace& w) { w.diagram = diagram; });
 }
 
 void drawHead(StudioContext& context) {
-    Workspace& workspace = context.workspace;
+    const Workspace& workspace = context.workspace;
     Workspace::Diagram diagram = diagramOf(workspace);
     const MapInfo& info = mapOf(workspace.views[0]).info;
     const float letter = ImGui::GetFontSize();
@@ -67,10 +67,8 @@ void drawHead(StudioContext& context) {
     if (open) {
         for (int k = 0; k < parameterSize(info); ++k) {
             const std::string name = parameterComponent(info, k);
-            if (ImGui::Selectable(name.c_str(), name == diagram.number) && name != diagram.number) {
-                setDiagramNumber(workspace, name);
-                context.touch();
-            }
+            if (ImGui::Selectable(name.c_str(), name == diagram.number) && name != diagram.number)
+                context.edit([&](Workspace& w) { setDiagramNumber(w, name); });
         }
         ImGui::EndCombo();
     }
@@ -89,10 +87,8 @@ void drawHead(StudioContext& context) {
     if (moved && std::isfinite(diagram.left) && std::isfinite(diagram.right))
         keep(context, diagram);
     ImGui::SameLine(0, 8);
-    if (ImGui::SmallButton(tr("usual range"))) {
-        workspace.diagram.number.clear();
-        context.touch();
-    }
+    if (ImGui::SmallButton(tr("usual range")))
+        context.edit([](Workspace& w) { w.diagram.number.clear(); });
     explain("diagram usual");
     ImGui::SameLine(0, 8);
     if (ImGui::SmallButton(tr("fit"))) fitDiagram(context);
@@ -102,7 +98,7 @@ void drawHead(StudioContext& context) {
 }  // namespace
 
 void drawDiagram(StudioContext& context) {
-    Workspace& workspace = context.workspace;
+    const Workspace& workspace = context.workspace;
     if (mapOf(workspace.views[0]).parameters == 0) {
         ImGui::TextDisabled("%s", tr("This map has no parameter to draw its attractor against."));
         return;
@@ -125,10 +121,9 @@ void drawDiagram(StudioContext& context) {
     if (active && ImGui::IsMouseDown(0)) {
         const double value = valueAt(std::clamp(io.MousePos.x, low.x, high.x));
         if (value != sharedNumber(workspace, diagram.number)) {
-            setSharedNumber(workspace, diagram.number, value);
+            context.edit([&](Workspace& w) { setSharedNumber(w, diagram.number, value); });
             context.welcome = false;
-            context.animation.running = false;
-            context.touch();
+            context.player.animation.running = false;
         }
     } else if (active && io.MouseDelta.x != 0) {
         diagram.left -= io.MouseDelta.x * unit;

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/marks/marks.h"
+#include "ui/marks/shapes.h"
+#include "ui/plots/plots.h"
 #include "ui/plots/web_diagram.h"
 #include "ui/session/context.h"
 #include "ui/widgets/help.h"
@@ -59,8 +60,13 @@ void drawTabs(StudioContext& context, bool hasWeb) {
     ImGui::SameLine(0, 12);
 }
 
+// The step that the table has been scrolled to.
+struct OrbitTable {
+    int shown = 0;
+};
+
 void drawHead(StudioContext& context, const MapInfo& info) {
-    Workspace& workspace = context.workspace;
+    const Workspace& workspace = context.workspace;
     ImGui::TextUnformatted(tr("Orbit of {1}", {std::string(stateName(info.algebra))}).c_str());
     ImGui::SameLine();
     if (step("|←", "orbit first")) context.stepOrbit(-workspace.orbitAt);
@@ -74,14 +80,16 @@ void drawHead(StudioContext& context, const MapInfo& info) {
     ImGui::SameLine(0, 6);
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 3.6f);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(4, 0));
-    if (ImGui::DragInt("##steps", &workspace.orbitSteps, 0.5f, 0, 1000, "%d",
-                       ImGuiSliderFlags_AlwaysClamp)) {
-        workspace.orbitAt = std::min(workspace.orbitAt, workspace.orbitSteps);
-        context.touch();
-    }
+    int steps = workspace.orbitSteps;
+    if (ImGui::DragInt("##steps", &steps, 0.5f, 0, kMostOrbitSteps, "%d",
+                       ImGuiSliderFlags_AlwaysClamp))
+        context.edit([&](Workspace& w) {
+            w.orbitSteps = steps;
+            w.orbitAt = std::min(w.orbitAt, steps);
+        });
     ImGui::PopStyleVar();
     explain("orbit steps");
-    const auto& orbit = context.orbit();
+    const auto& orbit = context.bound.orbit();
     const bool escaped = static_cast<int>(orbit.size()) <= workspace.orbitSteps;
     const std::string fate = escaped ? tr("escapes at step {1}", {std::to_string(orbit.size() - 1)})
                                      : tr("none escaped");
@@ -99,7 +107,7 @@ void drawHead(StudioContext& context, const MapInfo& info) {
 }
 
 void drawTable(StudioContext& context, const MapInfo& info, float width) {
-    const auto& orbit = context.orbit();
+    const auto& orbit = context.bound.orbit();
     const int dimension = dimensionOf(info.algebra);
     if (!ImGui::BeginTable("orbit", dimension + 2, ImGuiTableFlags_ScrollY, {width, 0})) return;
     ImGui::TableSetupScrollFreeze(0, 1);
@@ -114,7 +122,8 @@ void drawTable(StudioContext& context, const MapInfo& info, float width) {
     }
     ImGuiListClipper rows;
     rows.Begin(static_cast<int>(orbit.size()));
-    if (context.orbitShown != context.workspace.orbitAt)
+    int& shown = context.panels.of<OrbitTable>().shown;
+    if (shown != context.workspace.orbitAt)
         rows.IncludeItemByIndex(
             std::min(context.workspace.orbitAt, static_cast<int>(orbit.size()) - 1));
     while (rows.Step())
@@ -127,9 +136,9 @@ void drawTable(StudioContext& context, const MapInfo& info, float width) {
                                   ImGuiSelectableFlags_SpanAllColumns))
                 context.stepOrbit(n - context.workspace.orbitAt);
             explain("orbit row");
-            if (chosen && context.orbitShown != n) {
+            if (chosen && shown != n) {
                 ImGui::SetScrollHereY(0.5f);
-                context.orbitShown = n;
+                shown = n;
             }
             for (double value : row) {
                 ImGui::TableNextColumn();
@@ -152,7 +161,7 @@ void drawDashed(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 colour) {
 }
 
 void drawSeries(StudioContext& context, const MapInfo& info, ImVec2 low, ImVec2 high) {
-    const auto& orbit = context.orbit();
+    const auto& orbit = context.bound.orbit();
     const Workspace& workspace = context.workspace;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     double top = 1e-300;
@@ -215,15 +224,15 @@ void drawSeries(StudioContext& context, const MapInfo& info, ImVec2 low, ImVec2 
 
 void drawWeb(StudioContext& context, const OrbitProgram& program, double second, ImVec2 low,
              ImVec2 high) {
-    Workspace& workspace = context.workspace;
+    const Workspace& workspace = context.workspace;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const std::vector<double> orbit =
         lineOrbit(program, second, workspace.point[0], workspace.orbitSteps);
     // As much of the line as the orbit visits, but no more than where the map is at home.
     const MapInfo& info = program.map->info;
     const double home = info.homeCentre[0], half = 0.75 * info.homeHeight;
-    double left = home, right = home;
-    if (info.name == "logistic") left = 0, right = 1;
+    const bool interval = info.interval[0] < info.interval[1];
+    double left = interval ? info.interval[0] : home, right = interval ? info.interval[1] : home;
     for (double x : orbit) {
         left = std::min(left, std::clamp(x, home - half, home + half));
         right = std::max(right, std::clamp(x, home - half, home + half));
@@ -242,10 +251,8 @@ void drawWeb(StudioContext& context, const OrbitProgram& program, double second,
     };
     if (ImGui::IsItemActive()) {
         const double x = first + (ImGui::GetIO().MousePos.x - low.x) / unit;
-        if (x != workspace.point[0]) {
-            setSharedNumber(workspace, stateComponent(info, 0), x);
-            context.touch();
-        }
+        if (x != workspace.point[0])
+            context.edit([&](Workspace& w) { setSharedNumber(w, stateComponent(info, 0), x); });
     }
     const ImU32 line = ImGui::GetColorU32(ImGuiCol_TextDisabled, 0.7f);
     list.AddLine(at(first, 0), at(last, 0), ImGui::GetColorU32(ImGuiCol_Border));
@@ -286,7 +293,7 @@ void drawWeb(StudioContext& context, const OrbitProgram& program, double second,
 }  // namespace
 
 void drawOrbitStrip(StudioContext& context) {
-    const OrbitProgram* program = context.orbitProgram();
+    const OrbitProgram* program = context.bound.orbitProgram();
     const Scene scene = orbitScene(context.workspace);
     const MapInfo& info = mapOf(scene).info;
     if (!program || context.workspace.strip == Strip::motion) drawTabs(context, false);
@@ -296,8 +303,7 @@ void drawOrbitStrip(StudioContext& context) {
         drawTabs(context, keepsRealLine(*program, program->map->dimension == 1 ? other : 0));
         return drawDiagram(context);
     }
-    if (context.workspace.strip == Strip::profile && !info.field)
-        context.workspace.strip = Strip::series;
+    if (context.workspace.strip == Strip::profile && !info.field) context.show(Strip::series);
     if (program && context.workspace.strip == Strip::profile) {
         drawTabs(context, keepsRealLine(*program, 0));
         return drawProfile(context);
@@ -310,7 +316,7 @@ void drawOrbitStrip(StudioContext& context) {
     const double second =
         program->map->dimension == 1 && scene.slice.centre.size() > 1 ? scene.slice.centre[1] : 0;
     const bool hasWeb = keepsRealLine(*program, second);
-    if (!hasWeb && context.workspace.strip == Strip::web) context.workspace.strip = Strip::series;
+    if (!hasWeb && context.workspace.strip == Strip::web) context.show(Strip::series);
     drawTabs(context, hasWeb);
     drawHead(context, info);
     const ImVec2 low = ImGui::GetCursorScreenPos();

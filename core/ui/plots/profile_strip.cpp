@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "render/shape_profile.h"
+#include "ui/plots/plots.h"
 #include "ui/session/context.h"
 #include "ui/widgets/help.h"
 
@@ -19,7 +20,7 @@ struct Fineness {
 constexpr Fineness kLevels[] = {{65, 256, 129, 128}, {129, 1024, 513, 256}, {257, 2048, 1025, 512}};
 constexpr int kLevelCount = 3;
 constexpr double kBudget = 0.03;  // seconds of a frame for a finer one
-// Where others keep the processor busy a finer one may come in time at the next attempt.
+// Where others keep the CPU busy a finer one may come in time at the next attempt.
 constexpr double kAgain = 0.3;
 constexpr int kMostTries = 4;
 
@@ -157,7 +158,7 @@ void drawKey(ImDrawList& list, ImVec2 corner, const char* name, ImU32 colour) {
 
 const ProfileStudy& studyProfile(StudioContext& context) {
     ProfileStudy& study = context.studies.profile;
-    const OrbitProgram* program = context.orbitProgram();
+    const OrbitProgram* program = context.bound.orbitProgram();
     if (!program || !program->field) {
         study = {};
         study.problem = program ? trLater("This map has no shape.")
@@ -165,8 +166,8 @@ const ProfileStudy& studyProfile(StudioContext& context) {
         return study;
     }
     const Scene& scene = context.workspace.views[context.workspace.speaker()];
-    if (study.revision != context.revision) {
-        study.revision = context.revision;
+    if (study.revision != context.revision()) {
+        study.revision = context.revision();
         std::string key = keyOf(scene);
         if (key != study.key) {
             study.key = std::move(key);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/plots/plots.h"
 #include "ui/session/context.h"
 #include "ui/widgets/help.h"
 #include "ui/widgets/shown_number.h"
@@ -37,43 +38,44 @@ bool numberBox(const char* id, const char* control, double& value, double low, d
 }
 
 void drawHead(StudioContext& context) {
-    StudioContext::Player& player = context.player;
-    Motion& motion = context.workspace.motion;
+    Player& player = context.player;
+    const Motion& motion = context.workspace.motion;
     if (button(player.recording ? "■ Stop" : "● Record", "record"))
-        context.record(!player.recording);
-    if (button("|←", "motion first")) context.play(false), context.showMotionAt(0);
-    if (button(player.playing ? "Pause" : "Play", "play motion")) context.play(!player.playing);
+        context.player.record(!player.recording);
+    if (button("|←", "motion first")) context.player.play(false), context.player.showMotionAt(0);
+    if (button(player.playing ? "Pause" : "Play", "play motion"))
+        context.player.play(!player.playing);
     ImGui::SameLine(0, 8);
     double at = player.at;
     if (numberBox("##at", "motion time", at, 0, kMostSeconds, tr("%.2f s"), 0.02)) {
-        context.play(false);
-        motion.keys.empty() ? void(player.at = at) : context.showMotionAt(at);
+        context.player.play(false);
+        motion.keys.empty() ? void(player.at = at) : context.player.showMotionAt(at);
     }
-    if (button("Set key", "set key")) context.setKey();
+    if (button("Set key", "set key")) context.player.setKey();
     if (player.key >= 0 && player.key < static_cast<int>(motion.keys.size())) {
-        KeyFrame& key = motion.keys[static_cast<std::size_t>(player.key)];
-        if (button("Remove", "remove key")) return context.removeKey();
+        const auto k = static_cast<std::size_t>(player.key);
+        if (button("Remove", "remove key")) return context.player.removeKey();
         ImGui::SetNextItemWidth(ImGui::GetFontSize() * 5);
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(4, 0));
-        int easing = static_cast<int>(key.easing);
+        int easing = static_cast<int>(motion.keys[k].easing);
         std::array<const char*, 3> words = kEasings;
         for (const char*& word : words) word = tr(word);
-        if (ImGui::Combo("##easing", &easing, words.data(), static_cast<int>(words.size()))) {
-            key.easing = static_cast<Easing>(easing);
-            context.touch();
-        }
+        if (ImGui::Combo("##easing", &easing, words.data(), static_cast<int>(words.size())))
+            context.edit(
+                [&](Workspace& w) { w.motion.keys[k].easing = static_cast<Easing>(easing); });
         ImGui::PopStyleVar();
         explain("easing");
         ImGui::SameLine(0, 8);
     }
-    if (numberBox("##rate", "frame rate", motion.framesPerSecond, 1, 240, tr("%.0f fps"), 0.2))
-        context.touch();
+    double rate = motion.framesPerSecond;
+    if (numberBox("##rate", "frame rate", rate, 1, 240, tr("%.0f fps"), 0.2))
+        context.edit([&](Workspace& w) { w.motion.framesPerSecond = rate; });
     if (!motion.keys.empty()) {
-        if (button("Save", "save motion")) context.saveMotion();
+        if (button("Save", "save motion")) context.player.saveMotion();
         if (button("Export", "export motion")) {
             context.exporting.motion = true;
             context.exporting.plate = false;
-            context.exportOpen = true;
+            context.dialogs.exporting = true;
         }
     }
     ImGui::NewLine();
@@ -145,23 +147,22 @@ int keyNear(const Motion& motion, const TimeAxis& line, float x, float reach) {
 }
 
 void moveKey(StudioContext& context, double time) {
-    auto& keys = context.workspace.motion.keys;
+    const auto& keys = context.workspace.motion.keys;
     const auto k = static_cast<std::size_t>(context.player.key);
     const double least = k > 0 ? keys[k - 1].time + kLeastGap : 0;
     const double most = k + 1 < keys.size() ? keys[k + 1].time - kLeastGap : kMostSeconds;
     if (least > most) return;
     const double wanted = std::clamp(time, least, most);
     if (wanted == keys[k].time) return;
-    keys[k].time = wanted;
+    context.edit([&](Workspace& w) { w.motion.keys[k].time = wanted; });
     context.player.at = wanted;
-    context.touch();
 }
 
 }  // namespace
 
 void drawTimeline(StudioContext& context) {
-    StudioContext::Player& player = context.player;
-    Motion& motion = context.workspace.motion;
+    Player& player = context.player;
+    const Motion& motion = context.workspace.motion;
     player.key = std::min(player.key, static_cast<int>(motion.keys.size()) - 1);
     drawHead(context);
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -180,24 +181,25 @@ void drawTimeline(StudioContext& context) {
     list.PushClipRect(low, high, true);
     drawSeconds(line, low.y, high.y);
     if (motion.keys.empty() && !player.recording)
-        drawText(list, {low.x + 12, low.y + 0.4f * space.y},
-                 ImGui::GetColorU32(ImGuiCol_TextDisabled),
-                 tr("Record (R) what you do with the marked view, or set key frames (K) by hand."));
+        drawText(
+            list, {low.x + 12, low.y + 0.4f * space.y}, ImGui::GetColorU32(ImGuiCol_TextDisabled),
+            tr("Record (R) what you do with the focused view, or set key frames (K) by hand."));
     else
         drawCurves(motion, line, low.y, high.y - 16);
     const float middle = low.y + 0.5f * space.y, mark = 6 * context.scale;
     const float x = ImGui::GetIO().MousePos.x;
     if (pressed) {
-        context.play(false);
+        context.player.play(false);
         player.key = keyNear(motion, line, x, 2 * mark);
         player.dragsKey = player.key >= 0;
         if (player.dragsKey)
-            context.showMotionAt(motion.keys[static_cast<std::size_t>(player.key)].time);
+            context.player.showMotionAt(motion.keys[static_cast<std::size_t>(player.key)].time);
     }
     if (held && player.dragsKey && ImGui::GetIO().MouseDelta.x != 0 && player.key >= 0)
         moveKey(context, line.time(x));
     else if (held && !player.dragsKey && line.time(x) != player.at)
-        motion.keys.empty() ? void(player.at = line.time(x)) : context.showMotionAt(line.time(x));
+        motion.keys.empty() ? void(player.at = line.time(x))
+                            : context.player.showMotionAt(line.time(x));
     for (std::size_t k = 0; k < motion.keys.size(); ++k) {
         const ImVec2 at{line.at(motion.keys[k].time), middle};
         const bool chosen = static_cast<int>(k) == player.key;

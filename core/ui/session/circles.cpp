@@ -110,7 +110,7 @@ bool takesCircles(const Workspace& workspace) {
 
 Basins studyBasins(StudioContext& context) {
     CircleStudies& studies = context.circles;
-    const OrbitProgram* program = context.orbitProgram();
+    const OrbitProgram* program = context.bound.orbitProgram();
     const Scene scene = orbitScene(context.workspace);
     if (!program || !program->field) return {0, std::numeric_limits<double>::infinity()};
     const std::string key = basinKey(scene);
@@ -130,14 +130,14 @@ Basins studyBasins(StudioContext& context) {
 const std::vector<CircleStudy>& studyCircles(StudioContext& context, int view) {
     CircleStudies::OfView& studies = context.circles.views[static_cast<std::size_t>(view)];
     const bool fine = atRest(context);
-    if (studies.revision == context.revision && (studies.fine || !fine)) return studies.all;
+    if (studies.revision == context.revision() && (studies.fine || !fine)) return studies.all;
     studies.all.clear();
     const Workspace& workspace = context.workspace;
     const std::optional<System> system = shownSystem(context);
     const Scene& scene = workspace.views[static_cast<std::size_t>(view)];
     const std::optional<StatePlane> plane = statePlaneOf(scene);
     if (!system || !plane || !takesCircles(workspace)) return studies.all;
-    studies.revision = context.revision;
+    studies.revision = context.revision();
     studies.fine = fine;
     const Basins basins = studyBasins(context);
     const double radius = scene.escapeRadius.value_or(automaticRadius(scene));
@@ -168,7 +168,7 @@ std::string describeCircles(StudioContext& context) {
 }
 
 void dropCircle(StudioContext& context) {
-    Workspace& workspace = context.workspace;
+    const Workspace& workspace = context.workspace;
     if (!takesCircles(workspace)) return context.say("Circles are for complex and quaternion maps");
     if (workspace.circles.size() >= kMostCircles)
         return context.say(tr("There are {1} circles already: take one away first",
@@ -187,18 +187,16 @@ void dropCircle(StudioContext& context) {
     Workspace::Circle circle;
     circle.radius = normOf(through);
     if (!(circle.radius > 1e-3 * height)) circle.radius = 0.3 * height;
-    workspace.circles.push_back(circle);
+    context.edit([&](Workspace& changed) { changed.circles.push_back(circle); });
     context.circles.chosen = static_cast<int>(workspace.circles.size()) - 1;
-    context.touch();
 }
 
 void removeCircle(StudioContext& context, int circle) {
-    auto& circles = context.workspace.circles;
-    if (circle < 0 || circle >= static_cast<int>(circles.size()))
+    if (circle < 0 || circle >= static_cast<int>(context.workspace.circles.size()))
         return context.say("Choose a circle first: click its line");
-    circles.erase(circles.begin() + circle);
+    context.edit(
+        [&](Workspace& workspace) { workspace.circles.erase(workspace.circles.begin() + circle); });
     context.circles.chosen = -1;
-    context.touch();
 }
 
 }  // namespace versorium

@@ -14,13 +14,9 @@
 #include "ui/session/state_plane.h"
 #include "workspace/workspace.h"
 
-struct ImDrawList;
-struct ImVec2;
-
 namespace versorium {
 
 struct StudioContext;
-struct ViewPlane;
 class System;
 
 // Radii around 0 that decide alone; nothing is known where capture is 0, or escape infinite.
@@ -69,15 +65,10 @@ std::string sentenceOf(const CircleStudy& study);
 
 // Whether circles can be dropped here: a complex or quaternion map.
 bool takesCircles(const Workspace& workspace);
-// A view that they are drawn on: the marked one where it is one, else the first; -1 for none.
+// A view that they are drawn on: the focused one where it is one, else the first; -1 for none.
 int circleViewOf(const Workspace& workspace);
 const std::vector<CircleStudy>& studyCircles(StudioContext& context, int view);
 Basins studyBasins(StudioContext& context);
-
-void drawCircles(StudioContext& context, int view, const ViewPlane& plane, ImDrawList& list);
-// A press of the left button: true where it took a circle by its line or its centre.
-bool takeCircle(StudioContext& context, int view, const ViewPlane& plane, const ImVec2& mouse);
-void dragCircle(StudioContext& context, int view, const ViewPlane& plane, const ImVec2& mouse);
 
 // Around 0, through the pointer where that is over a view, else through the orbit's point.
 void dropCircle(StudioContext& context);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // A sheet of candidates for the versor d, to pick one from (S section 3.3.2; Fig 12: one r̂, several
-// d): small pictures of the marked view with the roots of one seed each. The host makes them one by
-// one, where it makes the gallery's.
+// d): small pictures of the focused view with the roots of one seed each. The host makes them one
+// by one, where it makes the gallery's.
 
 #include <cstdint>
 #include <vector>
@@ -26,7 +26,6 @@ struct ContactSheet {
         std::string message;  // why there is no picture
     };
 
-    bool open = false;
     int count = 6;
     int at = 0;  // the candidate that keys and pointer have come to
     std::vector<Candidate> candidates;
@@ -34,6 +33,7 @@ struct ContactSheet {
     std::uint64_t id = kFirstId;
 
     void contextLost();
+    void forget();  // the candidates, with their textures
 
   private:
     // Apart from the gallery's, which come by the same way.
@@ -46,6 +46,7 @@ void openContactSheet(StudioContext& context, int seed);
 bool takeCandidate(StudioContext& context, WorkAnswer& answer);
 // The candidate's roots become those of the map, and its seed the panel's.
 void pickCandidate(StudioContext& context, int candidate);
-void drawContactSheet(StudioContext& context);
+// Has the next small picture made.
+void askForCandidate(StudioContext& context);
 
 }  // namespace versorium

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// What the panels of the studio share. Panels change the workspace and say so by touch(); the
-// studio records it for undo once the hand is off.
+// What the panels of the studio share. Panels read the workspace and change it by edit().
 
 #include <array>
 #include <functional>
@@ -11,13 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "fields/evaluate.h"
 #include "i18n/language.h"
-#include "render/bind.h"
 #include "render/viewport.h"
-#include "ui/controls/access.h"
-#include "ui/controls/commands.h"
 #include "ui/host/host.h"
+#include "ui/session/bound_programs.h"
 #include "ui/session/circles.h"
 #include "ui/session/contact_sheet.h"
 #include "ui/session/drawing.h"
@@ -26,46 +22,20 @@
 #include "ui/session/lessons.h"
 #include "ui/session/live_picture.h"
 #include "ui/session/motion.h"
+#include "ui/session/notices.h"
+#include "ui/session/open_workspace.h"
+#include "ui/session/panel_states.h"
+#include "ui/session/player.h"
 #include "ui/session/space_view.h"
 #include "ui/session/studies.h"
+#include "ui/session/teacher.h"
 #include "ui/session/versor.h"
+#include "ui/session/view_state.h"
 #include "ui/widgets/theme.h"
 #include "workspace/export_document.h"
 #include "workspace/workspace.h"
 
 namespace versorium {
-
-inline constexpr double kNoticeFor = 6;  // seconds that a notice stays
-
-// The places that a view has shown, for back and forward.
-struct Visits {
-    std::vector<SliceSpec> places;
-    std::size_t at = 0;
-};
-
-struct ViewState {
-    LivePicture picture;
-    std::string key, orbits;  // LiveScene's, made anew when the revision is
-    std::uint64_t revision = 0;
-    double aspect = 0;  // that the key was made for
-    Visits visits;
-    std::optional<Glide> glide;  // on its way; the workspace holds where it is now
-    ImVec2 low{}, high{};        // its rectangle in the window
-    enum class Drag {
-        none,
-        pan,
-        marker,
-        box,
-        pinch,
-        start,
-        compared,
-        root,
-        circle,  // its radius
-        centre   // of a circle
-    } drag = Drag::none;
-    ImVec2 dragFrom{};
-    double pinchedAt = -100;  // when two fingers moved it last
-};
 
 struct Probe {
     int view = -1;
@@ -75,128 +45,71 @@ struct Probe {
     std::vector<std::pair<std::string, std::string>> rows;  // names and values
 };
 
-// The text of a shape as it is typed, and what the scene had when it was last shown.
-struct ShapeText {
-    std::string text, shown;
+// What stands over the views. All but the list of keys take the keys while they are open.
+struct OpenDialogs {
+    bool find = false, keys = false, exporting = false, gallery = false, files = false;
+    bool candidates = false, teacher = false;
+
+    bool any() const { return find || exporting || gallery || files || candidates || teacher; }
 };
 
-// The studio's own list of files.
-struct FileList {
-    Folder folder;
-    std::string typed, problem;
-    int chosen = 0;
-};
-
-// Who draws live pictures: automatic is the graphics processor, unless its driver computes in
+// Who draws live pictures: automatic is the GPU, unless its driver computes in
 // software.
-enum class RendererChoice { automatic, graphics, processor };
+enum class RendererChoice { automatic, gpu, cpu };
 template <>
 struct EnumWords<RendererChoice> {
-    static constexpr std::array<std::string_view, 3> table{
-        trLater("automatic"), trLater("graphics"), trLater("processor")};
+    static constexpr std::array<std::string_view, 3> table{trLater("automatic"), trLater("GPU"),
+                                                           trLater("CPU")};
 };
 
 struct StudioContext {
     explicit StudioContext(Host& host);
 
     Host& host;
-    Workspace workspace;
-    History history;
+    OpenWorkspace edited;
+    const Workspace& workspace = edited.now();
+    BoundPrograms bound;
+    Notices notices;
+    Player player;
     GpuDevice gpu;  // before the views, whose pictures are made with it
     RendererChoice renderer = RendererChoice::automatic;
     std::array<ViewState, kMostViews> views;
-    std::uint64_t revision = 1;
-    bool touched = false;
-    double touchedAt = 0;
-
+    bool buttonDown = false;  // of the pointer, wherever it is
     std::size_t theme = 0;
     float scale = 1;
     bool fontsChanged = false;
-    bool searchOpen = false, keysOpen = false, exportOpen = false, welcome = true;
-    bool galleryOpen = false, fileOpen = false;
+    OpenDialogs dialogs;
+    PanelStates panels;
+    bool welcome = true;
     bool imagesAreLayers = false;  // images that are opened lie behind the fractal; else: shapes
-    FileList files;
-    int galleryAt = 0;  // the entry that the keys have come to: presets first, then recent ones
     Gallery gallery;
     SavedFormulas formulas;
     FormulaEditor formula;
     ExportOptions exporting;
     bool copying = false;  // the export goes to the clipboard
-    std::string notice;    // the last thing that was done or went wrong
-    double noticeAt = -100;
     Probe probe;
     Studies studies;
     Drawing drawing;
     SpaceView space;
-    ShapeText shapeText, alphaShapeText, betaShapeText;
     VersorState versor;
     CircleStudies circles;
     ContactSheet sheet;
     Lessons lessons;
     // The link that the studio was opened with, and the state that its locks hold on to.
     std::optional<TeacherLink> teacher;
-    Workspace permitted;
-    std::uint64_t permittedAt = 0;
-    TeacherDialog handing;
-    int paletteStop = -1;  // the chosen stop of an own palette
-    int orbitShown = 0;    // the step that the table has been scrolled to
-    // An animated number: it runs between its ends until it is stopped, eased to and fro, or
-    // steadily from the low end to the high one and again from the low one.
-    struct Animation {
-        std::string number;
-        double low = 0, high = 1;
-        double seconds = 8;  // of a round
-        double phase = 0;    // in rounds
-        bool running = false;
-        bool toAndFro = true;
-    } animation;
+    Permitted permitted;
 
-    // The workspace's motion (scene/animation.h) while it is recorded or played.
-    struct Player {
-        bool recording = false, playing = false;
-        bool again = false;  // from the beginning once it has ended
-        double at = 0;       // seconds from the motion's beginning
-        double since = 0;    // when the recording began
-        Recorder recorder;
-        int key = -1;  // the chosen key frame
-        bool dragsKey = false;
-    } player;
-
-    // What the user does with the marked view becomes the motion, from now until it is stopped.
-    void record(bool on);
-    void play(bool on);
-    // Shows the motion at a time.
-    void showMotionAt(double time);
-    // What is shown now becomes the key frame at the player's time: all that the motion moves, or,
-    // where it moves nothing yet, everything.
-    void setKey();
-    void removeKey();
-    void saveMotion();
-    bool moves() const { return animation.running || player.playing || player.recording; }
-
-    // Moves a number between two others, from where it is.
-    void animate(const std::string& name, double low, double high);
-    // Takes the animation on by a part of a round.
-    void advanceAnimation(double rounds);
-
-    // The one way to change the workspace: what the change does to it becomes a step of the
-    // history once the hand is off. Returns what the change returns.
+    // Changes the workspace: `change` gets it, and what it returns is returned.
     template <class Change>
-    decltype(auto) edit(Change&& change) {
-        const Touch touch{*this};
-        return std::forward<Change>(change)(workspace);
+    auto edit(Change&& change) {
+        return edited.edit(std::forward<Change>(change));
     }
-    // The workspace has changed.
-    void touch();
+    std::uint64_t revision() const { return edited.revision(); }
     // What was done is a step of the history now.
     void record();
-    // A dialog stands over the views and takes the keys.
-    bool dialogOpen() const {
-        return searchOpen || exportOpen || galleryOpen || fileOpen || sheet.open || handing.open;
-    }
-    // In English or in the language already, where it was put together.
-    void say(const std::string& text);
-    void report(const Status& status);
+    bool dialogOpen() const { return dialogs.any(); }
+    void say(const std::string& text) { notices.say(text); }
+    void report(const Status& status) { notices.report(status); }
     void undo();
     void redo();
     void open(Workspace opened);
@@ -213,13 +126,15 @@ struct StudioContext {
     // The point (u, v) stays where it is. Eased, unless motion is to be reduced.
     void zoom(int view, double factor, double u, double v, bool eased = false);
     void glideTo(int view, SliceSpec place);
+    void moveTo(int view, SliceSpec place);  // at once
     // Takes all views that are on their way a step further; true while one is.
     bool glide();
     bool gliding() const;
     // Two fingers whose middle went from one place of the window to another while their distance
     // grew by a factor. Whatever a finger had begun to drag is let go. False where no view is.
-    bool pinch(ImVec2 from, ImVec2 to, double factor);
+    bool pinch(ScreenPoint from, ScreenPoint to, double factor);
     void pan(int view, double widths, double heights);
+    void chooseTheme(const std::string& name);
     void choose(RendererChoice choice);
     void nextRenderer();
     // From the next frame on in this language.
@@ -232,54 +147,15 @@ struct StudioContext {
     void saveScene();
     void startExport();
     void copyImage();
-
     void takeGrid(const WorkAnswer& answer);
+    void takeExport();  // says how an export ended, once it has
 
     // Width over height of a view in the window.
     double aspect(int view) const;
-    // Where starting points are measured; null while a shape needs a grid that takes time to make.
-    const OrbitProgram* program(int view);
-    const OrbitProgram* orbitProgram();
-    Binder& binder() { return binder_; }
-    // z_0 … z_orbitSteps of the workspace's point; empty where there is no program.
-    const std::vector<std::vector<double>>& orbit();
 
   private:
-    struct Touch {  // when the change is over
-        StudioContext& context;
-        ~Touch() { context.touch(); }
-    };
     void take(Workspace next);
     void beginExport(const ExportOptions& options, bool toClipboard);
-    struct Bound {
-        std::uint64_t revision = 0;
-        std::optional<OrbitProgram> program;
-    };
-    const OrbitProgram* bind(Bound& bound, const Scene& scene);
-    void askForGrid(Scene scene);
-    Binder binder_;
-    std::uint64_t gridAsked_ = 0;  // the request that is under way
-    std::optional<Scene> gridFor_;
-    std::string gridRefused_;  // the shape of which no grid can be made
-    std::array<Bound, kMostViews + 1> bound_;
-    std::uint64_t orbitRevision_ = 0;
-    std::vector<std::vector<double>> orbit_;
 };
-
-// Panels. Rectangles are in ImGui's coordinates.
-void drawView(StudioContext& context, int view, ImVec2 low, ImVec2 high);
-void drawProbe(StudioContext& context);
-void drawPaletteEditor(StudioContext& context);
-void drawInspector(StudioContext& context);
-void drawLayers(StudioContext& context);
-void drawShapePanel(StudioContext& context);
-void drawTimeline(StudioContext& context);
-void drawOrbitStrip(StudioContext& context);
-void drawExport(StudioContext& context);
-// Says how an export ended, once it has.
-void takeExport(StudioContext& context);
-void drawOpenFile(StudioContext& context);
-void drawGallery(StudioContext& context);
-void drawDialogs(StudioContext& context);
 
 }  // namespace versorium

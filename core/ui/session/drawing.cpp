@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "scene/shape_controls.h"
 #include "shape/outline.h"
 #include "ui/session/shape_change.h"
 #include "ui/session/view_plane.h"
@@ -18,32 +19,32 @@ constexpr float kLeastMove = 2.5f;  // pixels between corners of a stroke
 constexpr double kSmooth = 1.2;     // pixels that a simplified stroke may be off
 constexpr double kDabs = 0.4;       // of the brush's radius, between two dabs of a stroke
 
-float distance(ImVec2 a, ImVec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
+float distance(ScreenPoint a, ScreenPoint b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-ImVec2 cornerAt(const ViewPlane& plane, const glm::dvec2& corner) {
+ScreenPoint cornerAt(const ViewPlane& plane, const glm::dvec2& corner) {
     return plane.at(corner.x, corner.y);
 }
 
 // How far the corners since the press reach on the screen.
 float strokeSize(const Drawing& drawing, const ViewPlane& plane) {
-    ImVec2 low{1e9f, 1e9f}, high{-1e9f, -1e9f};
+    ScreenPoint low{1e9f, 1e9f}, high{-1e9f, -1e9f};
     for (const glm::dvec2& corner : drawing.corners) {
-        const ImVec2 at = cornerAt(plane, corner);
+        const ScreenPoint at = cornerAt(plane, corner);
         low = {std::min(low.x, at.x), std::min(low.y, at.y)};
         high = {std::max(high.x, at.x), std::max(high.y, at.y)};
     }
     return std::min(high.x - low.x, high.y - low.y);
 }
 
-void drawOutline(StudioContext& context, int view, const ViewPlane& plane, bool hovered,
-                 bool active) {
+void traceOutline(StudioContext& context, int view, const ViewPlane& plane,
+                  const Pointer& pointer) {
     Drawing& drawing = context.drawing;
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const ScreenPoint mouse = pointer.at;
     const glm::dvec2 here(plane.u(mouse.x), plane.v(mouse.y));
     const float scale = context.scale;
-    if (hovered && ImGui::IsMouseClicked(0)) {
+    if (pointer.over && pointer.left) {
         context.welcome = false;
-        context.animation.running = false;
+        context.player.animation.running = false;
         if (view != drawing.view) drawing.corners.clear();
         drawing.view = view;
         context.mark(view);
@@ -57,7 +58,7 @@ void drawOutline(StudioContext& context, int view, const ViewPlane& plane, bool 
     }
     if (view != drawing.view || !drawing.pressed) return;
     const bool dragged = distance(mouse, drawing.pressedAt) > kCloses * scale;
-    if (active) {
+    if (pointer.held) {
         if (drawing.corners.size() < 4 * kMostOutlineCorners &&
             distance(cornerAt(plane, drawing.corners.back()), mouse) >= kLeastMove * scale)
             drawing.corners.push_back(here);
@@ -77,7 +78,8 @@ void drawOutline(StudioContext& context, int view, const ViewPlane& plane, bool 
         drawing.corners.pop_back();
 }
 
-ModulationSpec& painted(Scene& scene, Drawing::Tool tool) {
+template <class AnyScene>
+auto& paintedOf(AnyScene& scene, Drawing::Tool tool) {
     return tool == Drawing::Tool::alpha ? scene.alphaOverSpace : scene.betaOverSpace;
 }
 
@@ -85,37 +87,42 @@ void dabAt(StudioContext& context, Drawing::Tool tool, const std::array<double, 
     const Drawing& drawing = context.drawing;
     const auto [x, y, z] = place;
     const double value = tool == Drawing::Tool::alpha ? drawing.alpha : drawing.beta;
-    for (Scene& each : context.workspace.views) {
-        auto& discs = painted(each, tool).discs;
-        if (drawing.erases)
-            std::erase_if(discs, [&, x = x, y = y, z = z](const PaintedDisc& disc) {
-                const double far = std::hypot(disc.x - x, disc.y - y, disc.z - z);
-                return far < std::max(drawing.radius, 0.5 * disc.radius);
-            });
-        else if (discs.size() < kMostPaintedDiscs)
-            discs.push_back({x, y, z, drawing.radius, value});
-        else
-            return context.say(
-                "There are as many dabs as may be: erase some, or use a larger "
-                "brush");
-    }
-    context.touch();
+    const auto full = [&](const Scene& scene) {
+        return paintedOf(scene, tool).discs.size() >= kMostPaintedDiscs;
+    };
+    const std::vector<Scene>& views = context.workspace.views;
+    if (!drawing.erases && std::any_of(views.begin(), views.end(), full))
+        return context.say(
+            "There are as many dabs as may be: erase some, or use a larger "
+            "brush");
+    context.edit([&, x = x, y = y, z = z](Workspace& workspace) {
+        for (Scene& each : workspace.views) {
+            auto& discs = paintedOf(each, tool).discs;
+            if (drawing.erases)
+                std::erase_if(discs, [&](const PaintedDisc& disc) {
+                    const double far = std::hypot(disc.x - x, disc.y - y, disc.z - z);
+                    return far < std::max(drawing.radius, 0.5 * disc.radius);
+                });
+            else
+                discs.push_back({x, y, z, drawing.radius, value});
+        }
+    });
 }
 
 void dab(StudioContext& context, int view, double u, double v) {
-    const OrbitProgram* program = context.program(view);
-    if (!program) return;
+    // Undo may have brought back a map without a shape, with the brush still in the hand.
+    const OrbitProgram* program = context.bound.program(view);
+    if (!program || !program->field) return;
     const Scene& scene = context.workspace.views[static_cast<std::size_t>(view)];
     dabAt(context, context.drawing.tool, shapePlace(scene, *program, u, v));
 }
 
-void paint(StudioContext& context, int view, const ViewPlane& plane, bool hovered, bool active) {
+void paint(StudioContext& context, int view, const ViewPlane& plane, const Pointer& pointer) {
     Drawing& drawing = context.drawing;
-    const ImGuiIO& io = ImGui::GetIO();
-    const glm::dvec2 here(plane.u(io.MousePos.x), plane.v(io.MousePos.y));
-    if (hovered && ImGui::IsMouseClicked(0)) {
+    const glm::dvec2 here(plane.u(pointer.at.x), plane.v(pointer.at.y));
+    if (pointer.over && pointer.left) {
         context.mark(view);
-        context.animation.running = false;
+        context.player.animation.running = false;
         drawing.view = view;
         drawing.pressed = true;
         drawing.lastDab = here;
@@ -123,7 +130,7 @@ void paint(StudioContext& context, int view, const ViewPlane& plane, bool hovere
         return;
     }
     if (!drawing.pressed || view != drawing.view) return;
-    drawing.pressed = active;  // a quick stroke may end in the frame of its last move
+    drawing.pressed = pointer.held;  // a quick stroke may end in the frame of its last move
     // Dabs at even distances, however fast the hand was.
     const double step = kDabs * drawing.radius;
     for (int k = 0; k < 200 && glm::distance(here, drawing.lastDab) >= step; ++k) {
@@ -141,7 +148,7 @@ void chooseTool(StudioContext& context, Drawing::Tool tool) {
     drawing.corners.clear();
     drawing.pressed = false;
     drawing.view = -1;
-    context.animation.running = false;
+    context.player.animation.running = false;
     context.welcome = false;
     if (drawing.tool == Drawing::Tool::none) return;
     if (drawing.isBrush() && !mapOf(context.workspace.view()).info.field) {
@@ -149,50 +156,49 @@ void chooseTool(StudioContext& context, Drawing::Tool tool) {
         return context.say("This map has no α and β: draw a shape first (D)");
     }
     // On a phone one view is shown: the one that is drawn in.
-    Workspace& workspace = context.workspace;
+    const Workspace& workspace = context.workspace;
     for (int k = static_cast<int>(workspace.views.size()) - 1;
-         k >= 0 && showsParameters(workspace.view()); --k)
-        if (!showsParameters(workspace.views[static_cast<std::size_t>(k)])) context.mark(k);
+         k >= 0 && !traitsOf(workspace.view()).shape; --k)
+        if (traitsOf(workspace.views[static_cast<std::size_t>(k)]).shape) context.mark(k);
     context.host.announce(drawingHint(context));
     context.host.wake();
 }
 
-bool handleDrawing(StudioContext& context, int view, const ViewPlane& plane, bool hovered,
-                   bool active) {
+bool handleDrawing(StudioContext& context, int view, const ViewPlane& plane,
+                   const Pointer& pointer) {
     Drawing& drawing = context.drawing;
     if (drawing.tool == Drawing::Tool::none) return false;
     const Scene& scene = context.workspace.views[static_cast<std::size_t>(view)];
     // A second finger moves the view, and the stroke is not meant.
-    if (context.views[static_cast<std::size_t>(view)].drag == ViewState::Drag::pinch) {
+    if (context.views[static_cast<std::size_t>(view)].drag.fingers) {
         drawing.corners.clear();
         drawing.pressed = false;
         return false;
     }
     if (scene.slice.axes.size() < 2) return false;
-    if (ImGui::IsMouseDown(1)) return false;
+    if (pointer.rightDown) return false;
     if (drawing.tool == Drawing::Tool::outline) {
-        drawOutline(context, view, plane, hovered, active);
+        traceOutline(context, view, plane, pointer);
         return true;
     }
-    if (showsParameters(scene)) return false;
-    paint(context, view, plane, hovered, active);
+    if (!traitsOf(scene).shape) return false;
+    paint(context, view, plane, pointer);
     return true;
 }
 
-bool drawingKeys(StudioContext& context) {
+bool drawingKeys(StudioContext& context, const DrawingKeys& pressed) {
     Drawing& drawing = context.drawing;
     if (drawing.tool == Drawing::Tool::none) return false;
-    if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) {
+    if (pressed.escape) {
         chooseTool(context, drawing.tool);
         return true;
     }
     if (drawing.tool != Drawing::Tool::outline || drawing.corners.empty()) return false;
-    if (ImGui::IsKeyPressed(ImGuiKey_Enter, false) ||
-        ImGui::IsKeyPressed(ImGuiKey_KeypadEnter, false)) {
+    if (pressed.enter) {
         finishOutline(context);
         return true;
     }
-    if (ImGui::IsKeyPressed(ImGuiKey_Backspace)) {
+    if (pressed.back) {
         drawing.corners.pop_back();
         return true;
     }
@@ -216,7 +222,7 @@ std::string drawingHint(const StudioContext& context) {
 }
 
 void paintAtPoint(StudioContext& context, Drawing::Tool tool) {
-    const OrbitProgram* program = context.orbitProgram();
+    const OrbitProgram* program = context.bound.orbitProgram();
     if (!program || !program->field) return context.say("There is no shape to paint on");
     const Scene scene = orbitScene(context.workspace);
     const std::vector<double>& centre = scene.slice.centre;
@@ -232,9 +238,9 @@ void finishOutline(StudioContext& context) {
     // The shape is looked up at x - shift.
     const Scene& scene = context.workspace.view();
     const MapInfo& info = mapOf(scene).info;
-    if (info.field && info.algebra == Algebra::complex && !showsParameters(scene))
+    if (info.field && info.algebra == Algebra::complex && traitsOf(scene).shape)
         for (glm::dvec2& corner : corners) {
-            const std::vector<double>& shift = scene.parameters.at("shift");
+            const std::array<double, 4> shift = shapeControls(scene).shift;
             corner -= glm::dvec2(shift[0], shift[1]);
         }
     Job job(1);
@@ -245,7 +251,7 @@ void finishOutline(StudioContext& context) {
         return context.report(status);
     drawing.tool = Drawing::Tool::none;
     for (std::size_t k = 0; k < context.workspace.views.size(); ++k)
-        if (!showsParameters(context.workspace.views[k])) context.mark(static_cast<int>(k));
+        if (traitsOf(context.workspace.views[k]).shape) context.mark(static_cast<int>(k));
     context.say("The Julia set of your shape. Turn α for detail, β to grow it");
 }
 

@@ -9,10 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "imgui.h"
+#include "ui/session/screen.h"
 #include "workspace/workspace.h"
-
-struct ImDrawList;
 
 namespace versorium {
 
@@ -24,7 +22,7 @@ struct Drawing {
     int view = -1;                    // that the corners are drawn in
     std::vector<glm::dvec2> corners;  // along that view's axes
     bool pressed = false;             // the button is down since the last corner
-    ImVec2 pressedAt{};
+    ScreenPoint pressedAt;
     // The brush: its radius in units of the shape, the values that it paints, and whether it takes
     // paint away instead.
     double radius = 0.15, alpha = 60, beta = 0.1;
@@ -48,13 +46,14 @@ struct Drawing {
 // Takes a tool up, or lays it down where it is in the hand already.
 void chooseTool(StudioContext& context, Drawing::Tool tool);
 // The pointer's work while a tool is in the hand; true where it was for the tool.
-bool handleDrawing(StudioContext& context, int view, const ViewPlane& plane, bool hovered,
-                   bool active);
-// Enter closes an outline, Backspace takes its last corner back, Escape lays the tool down. True
-// where the keys were for the tool.
-bool drawingKeys(StudioContext& context);
-// The outline so far, the brush, and where α or β differ.
-void drawDrawing(StudioContext& context, int view, const ViewPlane& plane, ImDrawList& list);
+bool handleDrawing(StudioContext& context, int view, const ViewPlane& plane,
+                   const Pointer& pointer);
+// Keys that were pressed: Enter closes an outline, Backspace takes its last corner back, Escape
+// lays the tool down. True where they were for the tool.
+struct DrawingKeys {
+    bool enter = false, back = false, escape = false;
+};
+bool drawingKeys(StudioContext& context, const DrawingKeys& pressed);
 // What to do now; empty without a tool.
 std::string drawingHint(const StudioContext& context);
 

@@ -42,12 +42,6 @@ const std::vector<std::pair<std::string, std::vector<double>>>& contourChoices()
 std::string contourText(const std::vector<double>& levels);
 Expected<std::vector<double>> contoursFromText(const std::string& text);
 
-// Panel and list of controls (ensemble_panel.cpp, controls_ensemble.cpp).
-void drawEnsemble(StudioContext& context);
-class ControlList;
-void collectEnsemble(StudioContext& context, ControlList& all);
-struct Command;
-std::vector<Command> ensembleCommands(StudioContext& context);
 // "Mean of 312 of 1000 sets", with what is drawn for each; empty of other pictures.
 std::string describeEnsemble(const StudioContext& context, int view);
 

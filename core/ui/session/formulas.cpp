@@ -95,19 +95,20 @@ Status applyFormula(StudioContext& context, const std::string& text) {
     for (const Scene& view : context.workspace.views) fits = fits && axesFit(home, view.slice);
     if (fits) {
         // The same places, looked at with another formula.
-        for (Scene& view : context.workspace.views) {
-            Scene scene = home;
-            keepWhatFits(scene, view);
-            scene.slice = view.slice;
-            scene.start = view.start;
-            scene.escapeRadius = view.escapeRadius;
-            if (view.criticalStart && (*map)->kernels().stepSecond)
-                scene.criticalStart = view.criticalStart;
-            view = std::move(scene);
-        }
-        context.workspace.pins.clear();
-        context.animation.running = false;
-        context.touch();
+        context.edit([&](Workspace& w) {
+            for (Scene& view : w.views) {
+                Scene scene = home;
+                keepWhatFits(scene, view);
+                scene.slice = view.slice;
+                scene.start = view.start;
+                scene.escapeRadius = view.escapeRadius;
+                if (view.criticalStart && (*map)->kernels().stepSecond)
+                    scene.criticalStart = view.criticalStart;
+                view = std::move(scene);
+            }
+            w.pins.clear();
+        });
+        context.player.animation.running = false;
     } else {
         Scene scene = home;
         keepWhatFits(scene, before);
@@ -132,22 +133,10 @@ void editFormula(StudioContext& context) {
     context.host.wake();
 }
 
-std::vector<Command> formulaCommands(StudioContext& context, const std::string& question) {
-    StudioContext* c = &context;
-    std::vector<Command> all;
-    const std::string typed = trimmed(question);
-    if (looksLikeFormula(typed) && FormulaMap::make(typed))
-        all.push_back({"", tr("Formula: {1}", {question}), {}, [c, typed] {
-                           c->formula.open = true;
-                           c->report(applyFormula(*c, typed));
-                       }});
-    all.push_back({"formula", trLater("Type a formula of your own"), {}, [c] { editFormula(*c); }});
-    for (const SavedFormula& one : context.formulas.all())
-        all.push_back(
-            {"", tr("Formula: {1}", {one.name + "  (" + one.text + ")"}), {}, [c, text = one.text] {
-                 c->report(applyFormula(*c, text));
-             }});
-    return all;
+std::optional<std::string> formulaIn(const std::string& text) {
+    const std::string typed = trimmed(text);
+    if (!looksLikeFormula(typed) || !FormulaMap::make(typed)) return {};
+    return typed;
 }
 
 }  // namespace versorium

@@ -3,6 +3,7 @@
 // Formulas of one's own in the studio: what is being typed, and the ones that were saved under a
 // name, which the host keeps from one start to the next.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,6 @@
 namespace versorium {
 
 struct StudioContext;
-struct Command;
 
 struct SavedFormula {
     std::string name, text;
@@ -52,11 +52,7 @@ Status applyFormula(StudioContext& context, const std::string& text);
 // Opens the field, filled with the present formula or with z^2 + c.
 void editFormula(StudioContext& context);
 
-// What Ctrl+K finds: to type a formula, saved ones, and what is typed there if it is one.
-std::vector<Command> formulaCommands(StudioContext& context, const std::string& question);
-// Entries of the list of maps.
-void drawFormulaChoices(StudioContext& context);
-// The field with its faults, below the map; nothing where the map is another and it is not open.
-void drawFormulaPanel(StudioContext& context);
+// The formula that a text is; none where it is something else.
+std::optional<std::string> formulaIn(const std::string& text);
 
 }  // namespace versorium

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "i18n/language.h"
 #include "io/document.h"
 #include "render/cpu/averaged_map.h"
 #include "ui/backend/texture.h"
@@ -111,12 +112,12 @@ void Gallery::take(WorkAnswer answer) {
     picture.size = made.size;
 }
 
-ImTextureID Gallery::picture(const Entry& entry) {
+unsigned Gallery::picture(const Entry& entry) {
     const auto found = pictures_.find(entry.key());
-    if (found == pictures_.end() || found->second.rgba.empty()) return nullptr;
+    if (found == pictures_.end() || found->second.rgba.empty()) return 0;
     Picture& picture = found->second;
     if (picture.texture == 0) picture.texture = putTexture(0, picture.size, picture.rgba.data());
-    return textureId(picture.texture);
+    return picture.texture;
 }
 
 void Gallery::contextLost() {

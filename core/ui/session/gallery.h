@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "imgui.h"
 #include "ui/host/host.h"
 #include "workspace/workspace.h"
 
@@ -41,7 +40,7 @@ class Gallery {
     void ask(Host& host);
     void take(WorkAnswer answer);
     // Null while there is none.
-    ImTextureID picture(const Entry& entry);
+    unsigned picture(const Entry& entry);
     void contextLost();
     // Somebody else asks for small pictures now: what was asked for does not come.
     void letGo() { asked_.clear(); }
@@ -61,7 +60,7 @@ class Gallery {
     std::uint64_t id_ = 0;
 };
 
-// "Quadratic family · 0.25": the map and how deep the marked view looks.
+// "Quadratic family · 0.25": the map and how deep the focused view looks.
 std::string titleOf(const Workspace& workspace);
 // The title in the language of the interface.
 std::string shownTitle(const Gallery::Entry& entry);

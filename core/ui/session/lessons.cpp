@@ -6,8 +6,8 @@
 
 #include "lesson/lesson_plate.h"
 #include "lesson/stage.h"
-#include "ui/controls/access.h"
 #include "ui/session/context.h"
+#include "ui/session/values.h"
 
 namespace versorium {
 namespace {
@@ -221,10 +221,10 @@ void noteGoal(StudioContext& context) {
     if (!context.lessons.now || context.lessons.now->wandering()) return;
     OpenLesson& lesson = *context.lessons.now;
     const std::optional<Goal>& goal = lesson.session.step().goal;
-    if (!goal || lesson.session.state().reached || lesson.noted == context.revision) return;
+    if (!goal || lesson.session.state().reached || lesson.noted == context.revision()) return;
     const double now = context.host.now();
     if (now - lesson.notedAt < kNoteEvery) return context.host.wakeAfter(kNoteEvery);
-    lesson.noted = context.revision;
+    lesson.noted = context.revision();
     lesson.notedAt = now;
     if (!lesson.session.note(context.workspace)) return;
     keep(context);
@@ -266,24 +266,6 @@ bool isOpenInStep(StudioContext& context, const std::string& id) {
     return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
         return namesControl(mapOf(context.workspace.views[0]).info, name, id);
     });
-}
-
-void drawLessonMarks(StudioContext& context, int view, const ViewPlane& plane, ImDrawList& list) {
-    if (!context.lessons.now || context.lessons.now->wandering()) return;
-    const LessonSession& session = context.lessons.now->session;
-    const std::optional<Question>& question = session.step().question;
-    if (!question || question->kind != AnswerKind::point || question->view != view) return;
-    const std::vector<double> answer = answerNumbers(session.state().answer);
-    const auto mark = [&](double x, double y, MarkShape shape, const char* word, ImU32 colour) {
-        const ImVec2 at = plane.at(x, y);
-        drawMark(list, at, 10 * context.scale, shape, colour);
-        drawText(list, {at.x + 14 * context.scale, at.y - 8 * context.scale}, colour, word);
-    };
-    if (answer.size() == 2)
-        mark(answer[0], answer[1], MarkShape::diamond, tr("your answer"), pinColour(3));
-    if (session.state().revealed && !session.state().right)
-        mark(question->answer[0], question->answer[1], MarkShape::square, tr("the answer"),
-             pinColour(1));
 }
 
 }  // namespace versorium

@@ -7,9 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "imgui.h"
 #include "lesson/session.h"
-#include "ui/session/view_plane.h"
 
 namespace versorium {
 
@@ -85,14 +83,5 @@ void exportStep(StudioContext& context);
 bool isOpenInStep(StudioContext& context, const std::string& id);
 // Whether the step names its controls: they alone are shown.
 bool stepNamesControls(const StudioContext& context);
-
-// An answered point and the right one, side by side.
-void drawLessonMarks(StudioContext& context, int view, const ViewPlane& plane, ImDrawList& list);
-
-// The pane, in what ImGui calls the present window.
-void drawLessonPane(StudioContext& context);
-// The same for a page, as JSON, and what its buttons do; false where there is no such thing to do.
-std::string lessonText(StudioContext& context);
-bool lessonDo(StudioContext& context, const std::string& action, const std::string& value);
 
 }  // namespace versorium

@@ -19,7 +19,7 @@ constexpr double kFirstMembers = 16;
 // Seconds of the first portion of members and of the longest, and how they grow. A page without
 // threads gives up what takes 0.4 seconds.
 constexpr double kFirstPortion = 0.1, kLongestPortion = 0.25, kPortionGrowth = 1.3;
-// Orbits of a picture that are kept on the graphics processor: 80 bytes each.
+// Orbits of a picture that are kept on the GPU: 80 bytes each.
 constexpr double kMostOrbits = 4.2e6;
 // A first picture that takes longer is shown before all its iterations are there, this often.
 constexpr double kShowEvery = 0.25;
@@ -123,7 +123,7 @@ bool LivePicture::askGpu(Host& host, const GpuUse& gpu, const LiveScene& scene, 
         return false;
     }
     if (1.0 * size.width * size.height * samples * samples > kMostOrbits) {
-        // What it has drawn so far stays; the last refinement is left to the processor.
+        // What it has drawn so far stays; the last refinement is left to the CPU.
         why_ = trLater("so many samples would take too much graphics memory");
         return false;
     }
@@ -241,7 +241,7 @@ void LivePicture::work(Host& host, double seconds) {
     arrived();
 }
 
-// Takes over what the graphics processor has drawn.
+// Takes over what the GPU has drawn.
 bool LivePicture::show() {
     GLuint name = texture_;
     makeTexture(name);
@@ -256,7 +256,7 @@ bool LivePicture::show() {
 
 bool LivePicture::guarded() const { return now_ - movedAt_ < kGuardFor; }
 
-// Whether what the graphics processor has drawn may be shown.
+// Whether what the GPU has drawn may be shown.
 bool LivePicture::admits() {
     if (!guarded() || gpu_->texture() == 0) return true;
     Raster<unsigned char> small;
@@ -291,35 +291,12 @@ float LivePicture::progress() const {
     return (static_cast<float>(stage_) + part) / kFinished;
 }
 
-void LivePicture::toTexture() {
-    if (!upload_ || pixels_.empty()) return;
-    upload_ = false;
-    texture_ = putTexture(texture_, pixelSize_, pixels_.data());
-}
-
-void LivePicture::draw(ImDrawList& list, ImVec2 low, ImVec2 high) {
-    toTexture();
-    if (texture_ == 0) return;
-    // Where the picture that there is lies in the view that is wanted.
-    const double scale = shown_.height / place_.height;
-    const double unit = (high.y - low.y) / place_.height;
-    const double x = 0.5 * (low.x + high.x) + ((shown_.centre[0] - place_.centre[0]) +
-                                               (shown_.centreLow[0] - place_.centreLow[0])) *
-                                                  unit;
-    const double y = 0.5 * (low.y + high.y) - ((shown_.centre[1] - place_.centre[1]) +
-                                               (shown_.centreLow[1] - place_.centreLow[1])) *
-                                                  unit;
-    const double halfHeight = 0.5 * (high.y - low.y) * scale;
-    const double halfWidth = halfHeight * shown_.size.width / shown_.size.height;
-    constexpr double kFar = 1e7;
-    if (!(std::abs(x) < kFar && std::abs(y) < kFar && halfWidth < kFar)) return;
-    const auto corner = [](double u, double v) {
-        return ImVec2{static_cast<float>(u), static_cast<float>(v)};
-    };
-    list.PushClipRect(low, high, true);
-    list.AddImage(textureId(texture_), corner(x - halfWidth, y - halfHeight),
-                  corner(x + halfWidth, y + halfHeight));
-    list.PopClipRect();
+unsigned LivePicture::shownTexture() {
+    if (upload_ && !pixels_.empty()) {
+        upload_ = false;
+        texture_ = putTexture(texture_, pixelSize_, pixels_.data());
+    }
+    return texture_;
 }
 
 void LivePicture::contextLost() {

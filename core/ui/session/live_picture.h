@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // The picture of one view as it comes: coarse at first, then finer and finer, always the newest
-// scene. The graphics processor draws what it can carry, the host's processor everything else.
+// scene. The GPU draws what it can carry, the host's processor everything else.
 // While a new picture is on its way the old one is shown where its points now lie, so that nothing
 // jumps.
 
@@ -12,7 +12,6 @@
 #include <string>
 
 #include "gpu/gpu_picture.h"
-#include "imgui.h"
 #include "ui/host/host.h"
 #include "ui/session/flash_guard.h"
 #include "view/slice.h"
@@ -30,7 +29,7 @@ struct LiveScene {
     bool moves = false;  // by itself: an animation, a motion that is played, a glide
 };
 
-// Who may draw: null where the graphics processor must not, with the reason.
+// Who may draw: null where the GPU must not, with the reason.
 struct GpuUse {
     GpuDevice* device = nullptr;
     std::string whyNot;
@@ -41,23 +40,26 @@ class LivePicture {
     // What should be shown. Asks for what is missing of it.
     void want(Host& host, const GpuUse& gpu, int view, const LiveScene& scene);
     void take(WorkAnswer answer);
-    // Lets the graphics processor draw on for about this long.
+    // Lets the GPU draw on for about this long.
     void work(Host& host, double seconds);
-    // Draws what there is into the rectangle.
-    void draw(ImDrawList& list, ImVec2 low, ImVec2 high);
+    // What is there: a texture, of the place that it was made for, and the place that is wanted.
+    // 0 before the first picture.
+    unsigned shownTexture();
+    const Viewport& shownPlace() const { return shown_; }
+    const Viewport& wantedPlace() const { return place_; }
 
     bool waiting() const { return asked_ != 0 || gpuWorking_; }
     bool finished() const { return !waiting() && stage_ == kFinished; }
-    // The graphics processor has more to do: another frame is due.
+    // The GPU has more to do: another frame is due.
     bool working() const { return gpuWorking_; }
     // In [0, 1]: how much of the refinement is done.
     float progress() const;
     const std::string& message() const { return message_; }
     // Whose picture is shown or being made.
-    bool onGraphicsProcessor() const { return byGpu_; }
+    bool onGpu() const { return byGpu_; }
     bool compiling() const;
-    // Why the graphics processor does not draw this; empty where it does.
-    const std::string& whyProcessor() const { return why_; }
+    // Why the GPU does not draw this; empty where it does.
+    const std::string& whyCpu() const { return why_; }
 
     // Of an averaged map: how many members are counted, of how many; 0 of other pictures. With
     // several samples for each pixel they are counted a second time, which shows when it is done.
@@ -68,8 +70,6 @@ class LivePicture {
     // another frame is due.
     bool held() const { return held_; }
 
-    // What is shown, of the place that it was made for; 0 before the first picture.
-    unsigned texture() const { return texture_; }
     // How many pictures were shown so far, coarse ones too.
     int pictures() const { return pictures_; }
 
@@ -91,7 +91,6 @@ class LivePicture {
     bool guarded() const;
     bool admits();
     void hold();
-    void toTexture();
 
     std::string wanted_;  // the key of what is asked for
     GpuDevice* wantedFrom_ = nullptr;

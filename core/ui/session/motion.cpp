@@ -33,4 +33,11 @@ SliceSpec zoomed(const SliceSpec& slice, double factor, double u, double v) {
     return place;
 }
 
+SliceSpec shifted(const SliceSpec& slice, double u, double v) {
+    SliceSpec place = slice;
+    const double by[2] = {u, v};
+    for (std::size_t k = 0; k < 2 && k < place.centre.size(); ++k) place.centre[k] += by[k];
+    return place;
+}
+
 }  // namespace versorium

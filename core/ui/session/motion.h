@@ -22,5 +22,7 @@ SliceSpec between(const SliceSpec& from, const SliceSpec& to, double t);
 
 // A slice with another height, (u, v) staying where it is in the view. `factor` below 1 goes in.
 SliceSpec zoomed(const SliceSpec& slice, double factor, double u, double v);
+// A slice whose centre lies elsewhere by (u, v).
+SliceSpec shifted(const SliceSpec& slice, double u, double v);
 
 }  // namespace versorium

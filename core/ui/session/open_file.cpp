@@ -44,8 +44,8 @@ Status takeMotion(StudioContext& context, const std::string& name, const Documen
 }
 
 Status openDocument(StudioContext& context, const std::string& name, const Document& document) {
-    if (document.kind == "animation") return takeMotion(context, name, document);
-    if (document.kind == "plate") {
+    if (document.kind == DocumentKind::animation) return takeMotion(context, name, document);
+    if (document.kind == DocumentKind::plate) {
         const Expected<PlateDocument> plate = plateFromDocument(document);
         return plate ? openPlate(context, name, *plate) : plate.status();
     }
@@ -59,13 +59,14 @@ Status openDocument(StudioContext& context, const std::string& name, const Docum
 Status takePalette(StudioContext& context, const std::string& name, const Json& json) {
     const Expected<Palette> palette = paletteFromJson(json);
     if (!palette) return palette.status();
-    Colouring& colour = context.workspace.view().colour;
-    colour.palette = palette->name();
-    colour.ownPalette = paletteToJson(*palette);
-    if (colour.rule != ColourRule::phase && colour.rule != ColourRule::domain)
-        colour.rule = ColourRule::palette;
-    context.touch();
-    context.say(tr("{1} is the palette of the marked view", {name}));
+    context.edit([&](Workspace& w) {
+        Colouring& colour = w.view().colour;
+        colour.palette = palette->name();
+        colour.ownPalette = paletteToJson(*palette);
+        if (colour.rule != ColourRule::phase && colour.rule != ColourRule::domain)
+            colour.rule = ColourRule::palette;
+    });
+    context.say(tr("{1} is the palette of the focused view", {name}));
     return {};
 }
 
@@ -76,8 +77,9 @@ Status takeRoots(StudioContext& context, const std::string& name, const RootList
     if (roots.roots.size() > kMostRoots)
         return Status::data("more than " + std::to_string(kMostRoots) + " roots are too many");
     const std::string list(info.lists[0]);
-    for (Scene& scene : context.workspace.views) scene.lists[list] = roots;
-    context.touch();
+    context.edit([&](Workspace& w) {
+        for (Scene& scene : w.views) scene.lists[list] = roots;
+    });
     context.say(tr("{1}: {2} roots", {name, std::to_string(roots.roots.size())}));
     return {};
 }
@@ -85,7 +87,7 @@ Status takeRoots(StudioContext& context, const std::string& name, const RootList
 // Views of starting points look at where the mesh is.
 void frame(Scene& scene, const Mesh& mesh) {
     SliceSpec& slice = scene.slice;
-    if (showsParameters(scene) || mesh.vertices.empty()) return;
+    if (!traitsOf(scene).shape || mesh.vertices.empty()) return;
     double most = 0;
     std::vector<double> centre(slice.axes.size(), 0.0);
     for (std::size_t k = 0; k < slice.axes.size(); ++k) {
@@ -157,9 +159,9 @@ Status takeLayer(StudioContext& context, const std::string& name,
                  std::span<const unsigned char> bytes) {
     const Expected<Raster<unsigned char>> image = readImage(bytes);
     if (!image) return image.status();
-    Scene& scene = context.workspace.view();
-    const std::string source =
-        addSharedAsset(context.workspace, {name, {bytes.begin(), bytes.end()}});
+    Workspace next = context.workspace;
+    Scene& scene = next.view();
+    const std::string source = addSharedAsset(next, {name, {bytes.begin(), bytes.end()}});
     if (source.empty())
         return Status::usage("the images of a scene may have " +
                              std::to_string(kMostAssetBytes >> 20) + " MiB together");
@@ -178,14 +180,15 @@ Status takeLayer(StudioContext& context, const std::string& name,
                 return std::pair(known.size(), known) > std::pair(name.size(), name);
             });
         layer.sources.insert(after, source);
-        context.touch();
-        context.say(tr("{1} is one of {2} frames", {name, std::to_string(layer.sources.size())}));
+        const std::string count = std::to_string(layer.sources.size());
+        context.edit([&](Workspace& w) { w = std::move(next); });
+        context.say(tr("{1} is one of {2} frames", {name, count}));
         return {};
     }
     if (scene.layers.size() >= kMostLayers)
         return Status::usage("there are " + std::to_string(kMostLayers) + " images already");
     scene.layers.push_back({.sources = {source}});
-    context.touch();
+    context.edit([&](Workspace& w) { w = std::move(next); });
     context.say(tr("{1} lies behind the fractal", {name}));
     return {};
 }
@@ -300,6 +303,14 @@ Status openText(StudioContext& context, const std::string& given) {
     }
     return Status::usage(
         "what is on the clipboard is no link, no scene, no palette and no formula");
+}
+
+void addBuiltInLayer(Scene& scene, bool leaf) {
+    const Layer white{.sources = {"#ffffff"}};
+    if (leaf)
+        scene.layers.push_back({});
+    else
+        scene.layers.insert(scene.layers.begin(), white);
 }
 
 }  // namespace versorium

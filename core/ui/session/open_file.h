@@ -23,4 +23,7 @@ Status openPlate(StudioContext& context, const std::string& name, const PlateDoc
 // Whether a file with this name may be one that opens.
 bool mayOpen(const std::string& name);
 
+// A layer of the program's own: the leaf lies in front of all images, a white sheet behind them.
+void addBuiltInLayer(Scene& scene, bool leaf);
+
 }  // namespace versorium

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "ui/session/planar_change.h"
 
-#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "maps/critical.h"
+#include "maps/planar.h"
 #include "render/frame.h"
 #include "scene/parts.h"
 
@@ -86,6 +87,12 @@ std::string constantOf(const System& system, const ComplexPolynomial& polynomial
     return {};
 }
 
+// What is added to g and to h, by the names of a planar system.
+std::pair<std::string, std::string> constantTerms(const MapInfo& info) {
+    constexpr int kEach = Layout<PlanarComponent<double>>::kWidth;
+    return {parameterComponent(info, planar::d), parameterComponent(info, kEach + planar::d)};
+}
+
 // The same slice by the other map's names; nothing where a number has no counterpart.
 std::optional<SliceSpec> renamed(const SliceSpec& slice, const Names& names) {
     SliceSpec other = slice;
@@ -125,8 +132,8 @@ void change(StudioContext& context, const Scene& home, const Names& names,
             scene.slice = *slice;
             if (old.criticalStart && hasCriticalPoints(mapOf(scene)))
                 scene.criticalStart = old.criticalStart;
-        } else if (showsParameters(old)) {
-            const SliceSpec place = parameterView(scene).slice;
+        } else {
+            const SliceSpec place = homeView(viewKind(old), scene).slice;
             if (!place.axes.empty()) scene.slice = place;
         }
         view = std::move(scene);
@@ -149,28 +156,48 @@ std::string formulaOf(const ComplexPolynomial& polynomial) {
     return sum + " + c";
 }
 
-// The map and the parameter that is added.
-std::optional<std::pair<Scene, std::string>> complexHome(const ComplexPolynomial& polynomial) {
-    const int degree = polynomial.degree();
-    if (degree < 1) return std::nullopt;
-    const auto k = [&](std::size_t j) { return polynomial.k[j]; };
-    const bool monic = k(static_cast<std::size_t>(degree)) == Complex64(1);
-    const bool alone = std::all_of(polynomial.k.begin() + 1, polynomial.k.begin() + degree,
-                                   [](Complex64 value) { return value == Complex64(0); });
-    if (monic && alone && degree == 2) return std::pair{sceneOf(*findMap("quadratic")), "c"};
-    if (monic && degree == 3 && k(2) == Complex64(0)) {
-        Scene scene = sceneOf(*findMap("cubic"));
-        scene.parameters["a"] = {k(1).real(), k(1).imag()};
-        return std::pair{scene, "b"};
+using Home = std::pair<Scene, std::string>;  // a map, and its parameter that is added
+
+// The map of the catalogue with the numbers that make it this polynomial.
+std::optional<Home> homeAs(const MapKernels& map, const ComplexPolynomial& polynomial) {
+    const MapInfo& info = map.info;
+    const auto terms = info.polynomial;
+    if (terms.empty() || terms[0].empty()) return std::nullopt;
+    Scene scene = sceneOf(map);
+    const auto degree = static_cast<std::size_t>(polynomial.degree());
+    const ParameterInfo* exponent = findParameter(info, info.degreeParameter);
+    if (exponent) {
+        const auto power = static_cast<double>(degree);
+        if (power < exponent->low || power > exponent->high) return std::nullopt;
+        scene.parameters[std::string(exponent->name)] = {power};
     }
-    if (monic && alone && degree == 4) {
-        Scene scene = sceneOf(*findMap("power"));
-        scene.parameters["power"] = {4};
-        return std::pair{scene, "c"};
+    for (std::size_t j = 1; j < polynomial.k.size(); ++j) {
+        const std::string_view said = j < terms.size()          ? terms[j]
+                                      : exponent && j == degree ? "1"
+                                                                : "";
+        if (said == "1" || said.empty()) {
+            if (polynomial.k[j] != Complex64(said.empty() ? 0 : 1)) return std::nullopt;
+        } else {
+            scene.parameters[std::string(said)] = {polynomial.k[j].real(), polynomial.k[j].imag()};
+        }
     }
+    return Home{std::move(scene), terms[0]};
+}
+
+// A family with a fixed exponent comes before one that takes any.
+std::optional<Home> complexHome(const ComplexPolynomial& polynomial) {
+    if (polynomial.degree() < 1) return std::nullopt;
+    for (const bool anyDegree : {false, true})
+        for (const MapKernels& map : catalogue()) {
+            const MapInfo& info = map.info;
+            if (info.algebra != Algebra::complex || info.field ||
+                info.degreeParameter.empty() == anyDegree)
+                continue;
+            if (auto home = homeAs(map, polynomial)) return home;
+        }
     Expected<Scene> typed = sceneOfMap(formulaOf(polynomial));
     if (!typed) return std::nullopt;
-    return std::pair{std::move(*typed), std::string("c")};
+    return Home{std::move(*typed), "c"};
 }
 
 }  // namespace
@@ -191,7 +218,7 @@ std::optional<ComplexPolynomial> polynomialOf(StudioContext& context) {
 
 bool hasComplexForm(const StudioContext& context) {
     const Workspace& workspace = context.workspace;
-    if (workspace.views[0].map != "planar") return false;
+    if (!mapOf(workspace.views[0]).info.planarCoefficients) return false;
     const auto polynomial =
         complexPolynomialOf(planarNumbersOf(workspace.views[workspace.speaker()]));
     return polynomial && polynomial->degree() >= 1;
@@ -207,10 +234,16 @@ void showAsComplexMap(StudioContext& context) {
     const auto home = complexHome(*polynomial);
     if (!home) return context.say("This polynomial is too long for a formula");
     const std::string constant = home->second;
-    const Names names{
-        {"p.x", "z.re"}, {"p.y", "z.im"}, {"g.d", constant + ".re"}, {"h.d", constant + ".im"}};
+    const MapInfo& planar = mapOf(workspace.views[0]).info;
+    const auto terms = constantTerms(planar);
+    const MapInfo& complex = mapOf(home->first).info;
+    const Names names{{stateComponent(planar, 0), stateComponent(complex, 0)},
+                      {stateComponent(planar, 1), stateComponent(complex, 1)},
+                      {terms.first, constant + ".re"},
+                      {terms.second, constant + ".im"}};
     change(context, home->first, names, [&](const Scene& from, Scene& to) {
-        to.parameters[constant] = {from.parameters.at("g.d")[0], from.parameters.at("h.d")[0]};
+        to.parameters[constant] = {from.parameters.at(terms.first)[0],
+                                   from.parameters.at(terms.second)[0]};
     });
     context.say("The same pictures by a complex map");
 }
@@ -220,13 +253,15 @@ void showAsPlanarSystem(StudioContext& context) {
     const auto polynomial =
         system ? polynomialOf(*system, system->parameters()) : std::optional<ComplexPolynomial>();
     if (!polynomial) return context.say("This map is no complex polynomial of degree 1 to 4");
+    const Scene home =
+        sceneOf(*findMapWhere([](const MapInfo& info) { return info.planarCoefficients; }));
     const std::string constant = constantOf(*system, *polynomial);
-    Names names{{"z.re", "p.x"}, {"z.im", "p.y"}};
-    if (!constant.empty()) {
-        names[constant + ".re"] = "g.d";
-        names[constant + ".im"] = "h.d";
-    }
-    const Scene home = sceneOf(*findMap("planar"));
+    const MapInfo& complex = system->map().info;
+    const MapInfo& planar = mapOf(home).info;
+    Names names{{stateComponent(complex, 0), stateComponent(planar, 0)},
+                {stateComponent(complex, 1), stateComponent(planar, 1)}};
+    if (!constant.empty())
+        std::tie(names[constant + ".re"], names[constant + ".im"]) = constantTerms(planar);
     change(context, home, names, [&](const Scene& from, Scene& to) {
         ComplexPolynomial own = *polynomial;
         if (!constant.empty()) {

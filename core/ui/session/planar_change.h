@@ -10,7 +10,7 @@
 
 namespace versorium {
 
-// The 30 coefficients of a scene of the map "planar".
+// The 30 coefficients of a scene of a planar polynomial system.
 PlanarNumbers planarNumbersOf(const Scene& scene);
 // The polynomial of degree 1 … 4 that a complex map is with the numbers that are shown; nothing
 // where it is none. Read off its values at eight points, and checked at others to 1e-9.

@@ -5,22 +5,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "scene/shape_controls.h"
+
 namespace versorium {
 namespace {
 
 constexpr double kStraight = 1e-6;  // how far axes may be from orthonormal
 constexpr double kNothing = 1e-12;  // a weight that is rounding alone
-
-// The components that the shape sees.
-std::array<int, 3> seen(const Scene& scene) {
-    const auto drop = scene.parameters.find("drop");
-    const int dropped = drop == scene.parameters.end() ? 3 : static_cast<int>(drop->second[0]);
-    std::array<int, 3> components{};
-    std::size_t next = 0;
-    for (int k = 0; k < 4 && next < 3; ++k)
-        if (k != dropped) components[next++] = k;
-    return components;
-}
 
 glm::dvec3 rotated(const glm::dvec3& v, const glm::dvec3& axis, double angle) {
     return v * std::cos(angle) + glm::cross(axis, v) * std::sin(angle) +
@@ -36,7 +27,7 @@ std::optional<PlaneInSpace> planeInSpace(const Scene& scene, const OrbitProgram&
     if (!info.field || info.algebra != Algebra::quaternion || program.slice.axes.size() < 2)
         return std::nullopt;
     PlaneInSpace plane;
-    const std::array<int, 3> components = seen(scene);
+    const std::array<int, 3> components = shapeControls(scene).seen;
     for (std::size_t number = 0; number < program.slice.origin.size(); ++number) {
         const auto found = std::find(components.begin(), components.end(), number);
         if (found == components.end()) {
@@ -58,7 +49,7 @@ std::optional<PlaneInSpace> planeInSpace(const Scene& scene, const OrbitProgram&
 
 void setPlane(Scene& scene, const PlaneInSpace& plane) {
     const MapInfo& info = mapOf(scene).info;
-    const std::array<int, 3> components = seen(scene);
+    const std::array<int, 3> components = shapeControls(scene).seen;
     SliceSpec& slice = scene.slice;
     slice.axes.assign(2, {});
     for (int k = 0; k < 3; ++k) {

@@ -6,6 +6,7 @@
 
 #include "geometry/random_roots.h"
 #include "render/shape_profile.h"
+#include "scene/shape_controls.h"
 #include "scene/shape_name.h"
 #include "shape/bounds.h"
 #include "shape/outline.h"
@@ -50,7 +51,7 @@ RootList rootsWithin(const ShapeBounds& bounds) {
 
 void frame(Scene& scene, const ShapeBounds& bounds) {
     constexpr double kMargin = 1.5;
-    if (showsParameters(scene) || scene.slice.centre.size() < 2) return;
+    if (!traitsOf(scene).shape || scene.slice.centre.size() < 2) return;
     double size = 0;
     for (std::size_t k = 0; k < 2; ++k) {
         scene.slice.centre[k] = 0.5 * (bounds.low[k] + bounds.high[k]);
@@ -80,9 +81,8 @@ Status change(StudioContext& context, const std::string& source, bool planar, bo
     }
     dropUnnamedAssets(next);
     if (fits) {
-        context.workspace = std::move(next);
+        context.edit([&](Workspace& w) { w = std::move(next); });
         context.welcome = false;
-        context.touch();
     } else {
         context.open(std::move(next));
     }
@@ -121,14 +121,12 @@ const std::vector<ShapeChoice>& shapeChoices() {
 std::array<double, 3> shapePlace(const Scene& scene, const OrbitProgram& program, double u,
                                  double v) {
     const double coordinates[3] = {u, v, 0};
-    const std::vector<double>& shift = scene.parameters.at("shift");
-    const auto drop = scene.parameters.find("drop");
-    const double dropped = drop == scene.parameters.end() ? 3 : drop->second[0];
+    const ShapeControls controls = shapeControls(scene);
+    const auto dimension = static_cast<std::size_t>(program.map->dimension);
     std::array<double, 3> place{};
-    std::size_t next = 0;
-    for (std::size_t k = 0; k < shift.size() && next < 3; ++k)
-        if (static_cast<double>(k) != dropped)
-            place[next++] = program.slice.at(k, coordinates) - shift[k];
+    for (std::size_t k = 0; k < place.size(); ++k)
+        if (const auto seen = static_cast<std::size_t>(controls.seen[k]); seen < dimension)
+            place[k] = program.slice.at(seen, coordinates) - controls.shift[seen];
     return place;
 }
 
@@ -136,16 +134,15 @@ namespace {
 
 // A view of starting points of what is shown.
 Scene pointsOf(const Workspace& workspace) {
-    if (!showsParameters(workspace.view())) return workspace.view();
-    const auto points =
-        std::find_if_not(workspace.views.begin(), workspace.views.end(), showsParameters);
-    return points != workspace.views.end() ? *points : dynamicalView(workspace.view());
+    const int points = viewOfKind(workspace, ViewKind::startingPoints);
+    return points < 0 ? homeView(ViewKind::startingPoints, workspace.view())
+                      : workspace.views[static_cast<std::size_t>(points)];
 }
 
 }  // namespace
 
 void showModulusAndVersor(StudioContext& context) {
-    Workspace& workspace = context.workspace;
+    Workspace workspace = context.workspace;
     const Scene scene = pointsOf(workspace);
     const MapInfo& info = mapOf(scene).info;
     const bool complex = dimensionOf(info.algebra) == 2;
@@ -166,24 +163,24 @@ void showModulusAndVersor(StudioContext& context) {
     colours(3, FieldName::membership, "grey");
     workspace.views[3].colour.outline = SetName::none;
     workspace.maximised = false;
-    context.touch();
+    context.edit([&](Workspace& w) { w = std::move(workspace); });
     context.say(tr("r = |f|, {1}, log |f_n| and the members; outlined: {2}",
                    {complex ? tr("f by argument and modulus") : tr("versor d"),
                     info.field ? "log |f_n| < " + shownNumber(scene.iso, 4) : tr("the members")}));
 }
 
 void showAsPrinted(StudioContext& context) {
-    Workspace& workspace = context.workspace;
-    if (!mapOf(workspace.view()).info.field)
+    if (!mapOf(context.workspace.view()).info.field)
         return context.say("S eq 2 needs a shape: draw one (D), or choose a shape modulus");
-    Scene scene = pointsOf(workspace);
-    setViewCount(workspace, 2);
-    for (int k = 0; k < 2; ++k) {
-        scene.parameters[kAsPrinted] = {static_cast<double>(k)};
-        workspace.views[static_cast<std::size_t>(k)] = scene;
-    }
-    context.touch();
-    if (scene.parameters.at("beta")[0] == 0)
+    Scene scene = pointsOf(context.workspace);
+    context.edit([&](Workspace& w) {
+        setViewCount(w, 2);
+        for (int k = 0; k < 2; ++k) {
+            scene.parameters[kAsPrinted] = {static_cast<double>(k)};
+            w.views[static_cast<std::size_t>(k)] = scene;
+        }
+    });
+    if (shapeControls(scene).beta == 0)
         context.say("With β = 0 both are the same: move β");
     else
         context.say("Left φ − β, as it must be; right φ + β, as S eq 2 prints it");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The slice plane of the marked view in space, with its picture on it, and the target shape around
+// The slice plane of the focused view in space, with its picture on it, and the target shape around
 // it (S Fig 2): turned by the hand, moved along its normal, tilted.
 
 #include <cstdint>
@@ -27,12 +27,9 @@ struct SpaceView {
     void contextLost() { solid = veil = 0, shown = veiled = false; }
 };
 
-// The inspector's part; nothing where the marked view is no plane in space.
-void drawSpaceView(StudioContext& context);
-
-// By how much the plane lies off the origin, along its normal; for the keyboard.
-double planeOffset(const PlaneInSpace& plane);
+// The plane of the focused view; none where that shows no plane in space.
 std::optional<PlaneInSpace> markedPlane(StudioContext& context);
 void putPlane(StudioContext& context, const PlaneInSpace& plane);
-
+// By how much a plane lies off the origin, along its normal; for the keyboard.
+double planeOffset(const PlaneInSpace& plane);
 }  // namespace versorium

@@ -52,13 +52,12 @@ void append(std::vector<double>& numbers, const Window& window) {
 }  // namespace
 
 bool atRest(const StudioContext& context) {
-    const bool held = ImGui::GetCurrentContext() && ImGui::IsAnyMouseDown();
-    return !held && !context.moves() && !context.gliding() &&
-           (!context.touched || context.host.now() - context.touchedAt > kRest);
+    return !context.buttonDown && !context.player.moves() && !context.gliding() &&
+           (!context.edited.unrecorded() || context.host.now() - context.edited.editedAt() > kRest);
 }
 
 std::optional<System> shownSystem(StudioContext& context) {
-    const OrbitProgram* program = context.orbitProgram();
+    const OrbitProgram* program = context.bound.orbitProgram();
     if (!program) return std::nullopt;
     const Scene scene = orbitScene(context.workspace);
     const double at[3] = {scene.slice.centre[0],
@@ -157,7 +156,7 @@ const CycleStudy& studyCycles(StudioContext& context) {
 
 const CriticalSet& studyCritical(StudioContext& context, int view) {
     CriticalStudy& study = context.studies.critical[static_cast<std::size_t>(view)];
-    const OrbitProgram* program = context.program(view);
+    const OrbitProgram* program = context.bound.program(view);
     if (!program || program->map->dimension != 2) return study.set = {};
     const System system(*program);
     const Window window = windowOf(context, view);
@@ -180,16 +179,16 @@ const CriticalSet& studyCritical(StudioContext& context, int view) {
 
 const CatalogueBadge* studyBadge(StudioContext& context, int view) {
     BadgeStudy& study = context.studies.badges[static_cast<std::size_t>(view)];
-    if (study.revision != context.revision) {
+    if (study.revision != context.revision()) {
         if (!atRest(context)) {
             context.host.wakeAfter(kRest);
-        } else if (const OrbitProgram* program = context.program(view)) {
+        } else if (const OrbitProgram* program = context.bound.program(view)) {
             const Window window = windowOf(context, view);
             const double centre[3] = {0.5 * (window.left + window.right),
                                       0.5 * (window.bottom + window.top), 0};
             study.badge =
                 catalogueBadge(*program, centre, 0.5 * window.width(), 0.5 * window.height());
-            study.revision = context.revision;
+            study.revision = context.revision();
         }
     }
     return study.badge ? &*study.badge : nullptr;
@@ -197,11 +196,11 @@ const CatalogueBadge* studyBadge(StudioContext& context, int view) {
 
 const std::vector<std::vector<double>>& comparedOrbit(StudioContext& context) {
     Studies& studies = context.studies;
-    if (studies.comparedRevision == context.revision) return studies.compared;
-    studies.comparedRevision = context.revision;
+    if (studies.comparedRevision == context.revision()) return studies.compared;
+    studies.comparedRevision = context.revision();
     studies.compared.clear();
     const Workspace& workspace = context.workspace;
-    const OrbitProgram* program = context.orbitProgram();
+    const OrbitProgram* program = context.bound.orbitProgram();
     if (workspace.compared.empty() || !program) return studies.compared;
     OrbitProgram second = *program;
     const Scene scene = orbitScene(workspace);
@@ -217,7 +216,7 @@ std::optional<std::vector<double>> startOf(StudioContext& context, int view) {
     if (view < 0) return std::nullopt;
     const Scene& scene = context.workspace.views[static_cast<std::size_t>(view)];
     const MapKernels& map = mapOf(scene);
-    if (!showsParameters(scene)) return std::nullopt;
+    if (!traitsOf(scene).ownStart) return std::nullopt;
     for (const SliceAxis& axis : scene.slice.axes)
         for (const auto& [name, weight] : axis.terms)
             if (const auto number = numberNamed(scene, name);
@@ -234,11 +233,12 @@ std::optional<std::vector<double>> startOf(StudioContext& context, int view) {
 }
 
 void setStart(StudioContext& context, int view, std::vector<double> start) {
-    Scene& scene = context.workspace.views[static_cast<std::size_t>(view)];
     if (std::any_of(start.begin(), start.end(), [](double x) { return !std::isfinite(x); })) return;
-    scene.criticalStart.reset();
-    scene.start = std::move(start);
-    context.touch();
+    context.edit([&](Workspace& workspace) {
+        Scene& scene = workspace.views[static_cast<std::size_t>(view)];
+        scene.criticalStart.reset();
+        scene.start = std::move(start);
+    });
 }
 
 void startAtNearest(StudioContext& context, int view, PlanePoint near) {
@@ -260,19 +260,19 @@ void startAtNearest(StudioContext& context, int view, PlanePoint near) {
 
 void nextAxis(StudioContext& context, const std::string& name) {
     Studies& studies = context.studies;
-    Workspace& workspace = context.workspace;
-    const std::string now = axisSign(workspace, name);
+    const std::string now = axisSign(context.workspace, name);
     if (!now.empty()) {
         studies.newestAxis = now == "→" ? 0 : 1;
         return;
     }
     studies.newestAxis = 1 - studies.newestAxis;
-    makeAxis(workspace, static_cast<std::size_t>(studies.newestAxis), name);
-    context.touch();
+    context.edit([&](Workspace& workspace) {
+        makeAxis(workspace, static_cast<std::size_t>(studies.newestAxis), name);
+    });
 }
 
 const char* axisSign(const Workspace& workspace, const std::string& name) {
-    const int view = parameterViewOf(workspace);
+    const int view = viewOfKind(workspace, ViewKind::parameters);
     if (view < 0) return "";
     const auto& axes = workspace.views[static_cast<std::size_t>(view)].slice.axes;
     for (std::size_t k = 0; k < std::min<std::size_t>(2, axes.size()); ++k)
@@ -308,7 +308,7 @@ DiagramStudy& studyDiagram(StudioContext& context, Size size) {
         study.problem.clear();
         Job job(1);
         Expected<OrbitProgram> program =
-            programAlong(context.binder(), scene, {{{wanted.number, 1.0}}}, job);
+            programAlong(context.bound.binder(), scene, {{{wanted.number, 1.0}}}, job);
         if (!program) {
             study.problem = program.status().message();
         } else {
@@ -341,12 +341,12 @@ DiagramStudy& studyDiagram(StudioContext& context, Size size) {
 
 void fitDiagram(StudioContext& context) {
     constexpr int kColumns = 400, kSteps = 200;
-    Workspace& workspace = context.workspace;
+    const Workspace& workspace = context.workspace;
     const std::string number = diagramNumber(workspace);
     const Workspace::Diagram usual = usualDiagram(workspace, number);
     Job job(1);
     const Expected<OrbitProgram> program =
-        programAlong(context.binder(), diagramScene(workspace), {{{number, 1.0}}}, job);
+        programAlong(context.bound.binder(), diagramScene(workspace), {{{number, 1.0}}}, job);
     if (!program) return context.report(program.status());
     const double step = (usual.right - usual.left) / kColumns;
     double left = INFINITY, right = -INFINITY;
@@ -357,8 +357,9 @@ void fitDiagram(StudioContext& context) {
         right = std::max(right, at[0]);
     }
     if (!(left <= right)) return context.say("The orbit escapes everywhere in this range");
-    workspace.diagram = {number, left - 2 * step, right + 2 * step};
-    context.touch();
+    context.edit([&](Workspace& changed) {
+        changed.diagram = {number, left - 2 * step, right + 2 * step};
+    });
 }
 
 }  // namespace versorium

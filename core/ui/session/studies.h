@@ -92,12 +92,12 @@ struct Studies {
     void contextLost() { diagram.texture = 0, diagram.textured = 0; }
 };
 
-// Nothing has changed for a moment and no button is down.
+// Nothing has changed for a moment, and no button is down.
 bool atRest(const StudioContext& context);
 // The system of the orbit that is drawn; nothing while a shape needs a grid.
 std::optional<System> shownSystem(StudioContext& context);
 // A view whose coordinates are those of states, by itself or beside a parameter on the line: the
-// marked one, else the first; -1 for none.
+// focused one, else the first; -1 for none.
 int dynamicalViewOf(const Workspace& workspace);
 // What such a view shows.
 Window windowOf(const StudioContext& context, int view);
@@ -131,8 +131,7 @@ void nextAxis(StudioContext& context, const std::string& name);
 // "→", "↑" or nothing: the axis of the parameter view that is this number alone.
 const char* axisSign(const Workspace& workspace, const std::string& name);
 
-// Panels (study_panel.cpp, diagram_strip.cpp, profile_strip.cpp, study_marks.cpp,
-// planar_panel.cpp).
+// Panels (study_panel.cpp, diagram_strip.cpp, profile_strip.cpp, planar_panel.cpp).
 void drawStartControls(StudioContext& context);
 void drawCycleControls(StudioContext& context);
 void drawComparedControls(StudioContext& context);

@@ -6,6 +6,7 @@
 
 #include "scene/numbers.h"
 #include "ui/session/context.h"
+#include "ui/session/studio_properties.h"
 
 namespace versorium {
 namespace {
@@ -28,10 +29,13 @@ Status setInAll(Workspace& workspace, const SceneProperty& property, const Json&
 const std::map<std::string, std::string, std::less<>>& oldNames() {
     static const std::map<std::string, std::string, std::less<>> names = [] {
         std::map<std::string, std::string, std::less<>> all;
-        const Workspace workspace = workspaceOf(sceneOf(*findMap("shape-modulus")));
+        const Workspace workspace = workspaceOf(sceneOf(
+            *findMapWhere([](const MapInfo& info) { return info.field && !info.lists.empty(); })));
         for (const SceneProperty& property : propertiesOf(workspace.views[0]))
             if (!property.alias.empty()) all.emplace(property.alias, property.path);
         for (const WorkspaceProperty& property : propertiesOf(workspace))
+            if (!property.alias.empty()) all.emplace(property.alias, property.path);
+        for (const StudioProperty& property : studioProperties())
             if (!property.alias.empty()) all.emplace(property.alias, property.path);
         return all;
     }();
@@ -40,8 +44,9 @@ const std::map<std::string, std::string, std::less<>>& oldNames() {
 
 }  // namespace
 
-Status setValue(StudioContext& context, const SceneProperty& property, const Json& value) {
-    Workspace& workspace = context.workspace;
+namespace {
+
+Status setIn(Workspace& workspace, const SceneProperty& property, const Json& value) {
     if (numberNamed(workspace.views[0], property.path)) {
         double number = 0;
         const Status status = readNumber(value, property.low, property.high, number);
@@ -59,18 +64,35 @@ Status setValue(StudioContext& context, const SceneProperty& property, const Jso
         if (property.path == "colour.contours")
             std::sort(colour.contours.begin(), colour.contours.end());
     }
-    context.welcome = false;
-    context.touch();
     return {};
 }
 
-Status setValue(StudioContext& context, const WorkspaceProperty& property, const Json& value) {
-    Workspace& workspace = context.workspace;
+Status setIn(Workspace& workspace, const WorkspaceProperty& property, const Json& value) {
     if (Status status = property.set(workspace, value, property.path); !status.ok()) return status;
     workspace.orbitSteps = std::max(workspace.orbitSteps, workspace.orbitAt);
-    context.welcome = false;
-    context.touch();
     return {};
+}
+
+template <class P>
+Status setAny(StudioContext& context, const P& property, const Json& value) {
+    Status status = context.edit([&](Workspace& w) { return setIn(w, property, value); });
+    if (status.ok()) context.welcome = false;
+    return status;
+}
+
+}  // namespace
+
+Status setValue(StudioContext& context, const SceneProperty& property, const Json& value) {
+    return setAny(context, property, value);
+}
+
+Status setValue(StudioContext& context, const WorkspaceProperty& property, const Json& value) {
+    return setAny(context, property, value);
+}
+
+std::string pathOfOldName(const std::string& name) {
+    const auto old = oldNames().find(name);
+    return old == oldNames().end() ? name : old->second;
 }
 
 bool namesValue(std::string_view name, std::string_view path) {
@@ -88,6 +110,13 @@ bool namesValue(std::string_view name, std::string_view path) {
     if (old != oldNames().end() && old->second == path) return true;
     for (std::string_view section : {"slice.", "shape.", "colour.", "ensemble."})
         if (path.starts_with(section) && path.substr(section.size()) == name) return true;
+    return false;
+}
+
+bool namesControl(const MapInfo& info, const std::string& name, const std::string& id) {
+    if (name != "point") return namesValue(name, id);
+    for (int k = 0; k < dimensionOf(info.algebra); ++k)
+        if (stateComponent(info, k) == id) return true;
     return false;
 }
 

@@ -4,16 +4,11 @@
 #include <algorithm>
 
 #include "render/root_region.h"
+#include "scene/shape_controls.h"
 #include "ui/session/context.h"
 
 namespace versorium {
 namespace {
-
-constexpr std::string_view kPairs[][2] = {
-    {"complex-rational", "complex-root-sum"},
-    {"quaternion-rational", "quaternion-root-sum"},
-    {"shape-modulus", "shape-modulus-quaternion-root-sum"},
-    {"shape-modulus-complex-rational", "shape-modulus-complex-root-sum"}};
 
 std::size_t at(int item) { return static_cast<std::size_t>(item); }
 
@@ -62,14 +57,15 @@ const RootList::Root& rootAt(const Workspace& workspace, const RootRef& ref) {
 
 double exponentOf(const Workspace& workspace, const RootRef& ref) {
     const double scale = workspace.views[0].lists.at(ref.list).scale;
-    return rootAt(workspace, ref).power * scale * (ref.list == "poles" ? -1 : 1);
+    return rootAt(workspace, ref).power * scale *
+           (isPoles(mapOf(workspace.views[0]).info, ref.list) ? -1 : 1);
 }
 
 std::array<double, 4> placeOfRoot(const Scene& scene, const RootList::Root& root) {
     std::array<double, 4> place = root.q;
-    if (const auto shift = scene.parameters.find("shift");
-        mapOf(scene).info.field && shift != scene.parameters.end())
-        for (std::size_t k = 0; k < shift->second.size(); ++k) place[k] += shift->second[k];
+    if (!mapOf(scene).info.field) return place;
+    const std::array<double, 4> shift = shapeControls(scene).shift;
+    for (std::size_t k = 0; k < place.size(); ++k) place[k] += shift[k];
     return place;
 }
 
@@ -112,27 +108,29 @@ Status setRootList(Workspace& workspace, const std::string& list, const RootList
 
 Expected<RootRef> turnRoot(Workspace& workspace, const RootRef& ref) {
     RootList::Root root = rootAt(workspace, ref);
-    const auto& lists = workspace.views[0].lists;
-    if (!lists.contains("roots") || !lists.contains("poles")) {
+    const MapInfo& info = mapOf(workspace.views[0]).info;
+    const bool poles = isPoles(info, ref.list);
+    const auto other =
+        std::find_if(info.lists.begin(), info.lists.end(),
+                     [&](std::string_view list) { return isPoles(info, list) != poles; });
+    if (other == info.lists.end()) {
         root.power = -root.power;
         setRoot(workspace, ref, root);
         return ref;
     }
     if (Status status = removeRoot(workspace, ref); !status.ok()) return status;
-    return addRoot(workspace, ref.list == "roots" ? "poles" : "roots", root);
+    return addRoot(workspace, std::string(*other), root);
 }
 
 std::string sumOrProductOf(const std::string& map) {
-    for (const auto& pair : kPairs) {
-        if (map == pair[0]) return std::string(pair[1]);
-        if (map == pair[1]) return std::string(pair[0]);
-    }
-    return {};
+    const MapKernels* known = findMap(map);
+    const MapKernels* other = known ? sumOrProductOf(known->info) : nullptr;
+    return other ? std::string(other->info.name) : std::string();
 }
 
 bool isRootSum(const std::string& map) {
-    return std::any_of(std::begin(kPairs), std::end(kPairs),
-                       [&](const auto& pair) { return map == pair[1]; });
+    const MapKernels* known = findMap(map);
+    return known && known->info.rootForm == RootForm::sum;
 }
 
 void takeRootSum(Workspace& workspace, bool sum) {
@@ -151,7 +149,7 @@ Expected<RandomRoots> drawOptions(StudioContext& context) {
     RandomRoots options = context.versor.draw.options;
     const Scene& scene = context.workspace.views[context.workspace.speaker()];
     if (mapOf(scene).info.field) {
-        const OrbitProgram* program = context.orbitProgram();
+        const OrbitProgram* program = context.bound.orbitProgram();
         if (!program || !program->field)
             return Status::usage("the shape is not ready yet: its distances are being computed");
         takeShapeBox(scene, *program->field, options);
@@ -167,10 +165,10 @@ void drawRoots(StudioContext& context, int seed) {
     if (!options) return context.report(options.status());
     context.versor.draw.seed = seed;
     const RootList roots = randomRoots(*options, static_cast<std::uint64_t>(seed));
-    const Status status = setRootList(context.workspace, drawnList(context.workspace), roots);
+    const Status status =
+        context.edit([&](Workspace& w) { return setRootList(w, drawnList(w), roots); });
     if (!status.ok()) return context.report(status);
     context.versor.chosen = {};
-    context.touch();
     context.say(
         tr("{1} roots of seed {2}", {std::to_string(roots.roots.size()), std::to_string(seed)}));
 }

@@ -51,15 +51,15 @@ void takeRootSum(Workspace& workspace, bool sum);
 
 // How the roots of the panel and of the contact sheet are drawn. The region is the box of the
 // shape, where there is one.
+inline constexpr int kMostSeed = 2147483647;
 struct RootDraw {
     RandomRoots options;
     int seed = 1;
 };
 // What hand and panel are at, beside the workspace.
 struct VersorState {
-    RootRef chosen;                // the root whose numbers are shown
-    std::array<double, 2> grab{};  // from the pointer to the root while it is dragged
-    double turned = 0;             // of the wheel, less than a step
+    RootRef chosen;     // the root whose numbers are shown
+    double turned = 0;  // of the wheel, less than a step
     RootDraw draw;
 };
 

@@ -5,17 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "imgui.h"
+#include "ui/session/screen.h"
 #include "view/slice.h"
 
 namespace versorium {
 
 struct ViewPlane {
-    ImVec2 low, high;  // the view's rectangle
+    ScreenPoint low, high;  // the view's rectangle
     Viewport place;
 
     double unit() const { return (high.y - low.y) / place.height; }
-    ImVec2 at(double u, double v) const {
+    ScreenPoint at(double u, double v) const {
         const double x =
             0.5 * (low.x + high.x) + ((u - place.centre[0]) - place.centreLow[0]) * unit();
         const double y =

@@ -4,9 +4,10 @@
 
 #include "fields/dynamics.h"
 #include "math/elementary.h"
+#include "scene/shape_controls.h"
 #include "shape/modulation.h"
-#include "ui/marks/marks.h"
 #include "ui/session/shape_change.h"
+#include "ui/views/view.h"
 #include "ui/widgets/help.h"
 
 namespace versorium {
@@ -35,15 +36,14 @@ std::string complexText(std::complex<double> value) {
 // What a shape modulus looks up there: φ, α and β where they differ over space, and r̂.
 void probeShape(const Scene& scene, const OrbitProgram& program, Probe& found) {
     const std::array<double, 3> at = shapePlace(scene, program, found.u, found.v);
-    const auto number = [&](const char* name, const Modulation* modulation) {
-        const double base = scene.parameters.at(name)[0];
+    const ShapeControls controls = shapeControls(scene);
+    const auto number = [&](double base, const Modulation* modulation) {
         return modulation ? modulation->at(at[0], at[1], at[2], base) : base;
     };
     const double phi = program.field->at(at[0], at[1], at[2]);
-    const double alpha = number("alpha", program.field->alpha());
-    const double beta = number("beta", program.field->beta());
-    const bool asPrinted = scene.parameters.at(kAsPrinted)[0] != 0;
-    const double exponent = alpha * (phi - (asPrinted ? -beta : beta));
+    const double alpha = number(controls.alpha, program.field->alpha());
+    const double beta = number(controls.beta, program.field->beta());
+    const double exponent = alpha * (phi - (controls.asPrinted ? -beta : beta));
     found.rows.emplace_back(tr("distance φ"), shownNumber(phi, 4));
     if (program.field->alpha()) found.rows.emplace_back(tr("α here"), shownNumber(alpha, 4));
     if (program.field->beta()) found.rows.emplace_back(tr("β here"), shownNumber(beta, 4));
@@ -53,25 +53,27 @@ void probeShape(const Scene& scene, const OrbitProgram& program, Probe& found) {
 
 }  // namespace
 
-void probe(StudioContext& context, int view, const ViewPlane& plane, ImVec2 mouse) {
-    const Scene& scene = context.workspace.views[static_cast<std::size_t>(view)];
+void probe(const ViewFrame& frame) {
+    StudioContext& context = frame.context;
+    const Scene& scene = frame.scene();
     Probe& found = context.probe;
-    const double u = plane.u(mouse.x), v = plane.v(mouse.y);
-    if (found.view == view && found.u == u && found.v == v && found.revision == context.revision)
+    const double u = frame.u(), v = frame.v();
+    if (found.view == frame.view && found.u == u && found.v == v &&
+        found.revision == context.revision())
         return;
     found = {};
-    found.view = view;
+    found.view = frame.view;
     found.u = u;
     found.v = v;
-    found.revision = context.revision;
+    found.revision = context.revision();
     for (std::size_t k = 0; k < 2 && k < scene.slice.axes.size(); ++k) {
         const std::string name = scene.slice.axes[k].terms[0].first;
-        const std::string value = coordinate(k ? v : u, plane.place);
+        const std::string value = coordinate(k ? v : u, frame.plane.place);
         found.text += (k ? "   " : "") + name + " = " + value;
         found.rows.emplace_back(name, value);
     }
     std::vector<std::string> values(std::size(kRows));
-    const OrbitProgram* bound = context.program(view);
+    const OrbitProgram* bound = context.bound.program(frame.view);
     if (bound) {
         OrbitProgram program = *bound;
         program.iterations = std::min(program.iterations, kProbeIterations);
@@ -105,7 +107,7 @@ void probe(StudioContext& context, int view, const ViewPlane& plane, ImVec2 mous
     }
     for (std::size_t k = 0; k < std::size(kRows); ++k)
         found.rows.emplace_back(tr(kRows[k]), values[k]);
-    if (bound && bound->field && !showsParameters(scene)) probeShape(scene, *bound, found);
+    if (bound && bound->field && traitsOf(scene).shape) probeShape(scene, *bound, found);
 }
 
 void drawProbe(StudioContext& context) {

@@ -168,7 +168,7 @@ constexpr Help kHelp[] = {
      "as captured."},
     {"escape radius", "Beyond this distance from 0 an orbit has escaped."},
     {"motion", "What was recorded, or set by key frames: a line of time."},
-    {"record", "What you do with the marked view becomes a motion, until you stop. Key: R"},
+    {"record", "What you do with the focused view becomes a motion, until you stop. Key: R"},
     {"motion first", "To the beginning of the motion."},
     {"play motion", "Plays the motion, or pauses it. Key: Shift R"},
     {"motion time", "Where in the motion we are, in seconds."},

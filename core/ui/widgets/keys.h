@@ -5,7 +5,7 @@
 // modifier is up, and Ctrl Z would be a mere z.
 
 #include "imgui.h"
-#include "ui/controls/chord.h"
+#include "ui/widgets/chord.h"
 
 namespace versorium {
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "base/words.h"
+
 namespace versorium {
 
 // Texts are given in English and shown in the language of the interface (i18n/language.h).
