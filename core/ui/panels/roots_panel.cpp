@@ -91,9 +91,7 @@ void drawVersorPanel(StudioContext& context) {
     ImGui::PushID("versor");
     drawSwitch(context);
     drawValue(context, "show_roots");
-    ImGui::SameLine();
-    if (ImGui::SmallButton(tr("add a root"))) addRootAtPoint(context);
-    explain("add root");
+    if (rowButton("add a root", "add root")) addRootAtPoint(context);
     drawChosen(context);
     const bool open =
         ImGui::TreeNodeEx(named("roots at random").c_str(), ImGuiTreeNodeFlags_SpanAvailWidth);
@@ -110,9 +108,7 @@ void drawCircleControls(StudioContext& context) {
     if (!takesCircles(workspace)) return;
     ImGui::PushID("circles");
     drawValue(context, "basins");
-    ImGui::SameLine();
-    if (ImGui::SmallButton(tr("drop a circle"))) dropCircle(context);
-    explain("drop circle");
+    if (rowButton("drop a circle", "drop circle")) dropCircle(context);
     const int view = circleViewOf(workspace);
     const std::vector<CircleStudy> all = view >= 0 && !workspace.circles.empty()
                                              ? studyCircles(context, view)

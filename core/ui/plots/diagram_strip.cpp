@@ -95,6 +95,38 @@ void drawHead(StudioContext& context) {
     explain("diagram fit");
 }
 
+// The diagram once the hand has done what it does: the left button sets the parameter, the right
+// one drags the range, the wheel zooms.
+Workspace::Diagram movedDiagram(StudioContext& context, ImVec2 low, ImVec2 space, bool hovered,
+                                bool active) {
+    const Workspace& workspace = context.workspace;
+    Workspace::Diagram diagram = diagramOf(workspace);
+    const ImGuiIO& io = ImGui::GetIO();
+    const double unit = (diagram.right - diagram.left) / space.x;
+    const auto valueAt = [&](float x) { return diagram.left + (x - low.x) * unit; };
+    if (active && ImGui::IsMouseDown(0)) {
+        const double value = valueAt(std::clamp(io.MousePos.x, low.x, low.x + space.x));
+        if (value != sharedNumber(workspace, diagram.number)) {
+            context.edit([&](Workspace& w) { setSharedNumber(w, diagram.number, value); });
+            context.welcome = false;
+            context.player.animation.running = false;
+        }
+    } else if (active && io.MouseDelta.x != 0) {
+        diagram.left -= io.MouseDelta.x * unit;
+        diagram.right -= io.MouseDelta.x * unit;
+        keep(context, diagram);
+    }
+    if (hovered && io.MouseWheel != 0) {
+        const double factor = std::pow(kWheel, static_cast<double>(io.MouseWheel));
+        const double at = valueAt(io.MousePos.x);
+        diagram.left = at + (diagram.left - at) * factor;
+        diagram.right = at + (diagram.right - at) * factor;
+        keep(context, diagram);
+        diagram = diagramOf(workspace);
+    }
+    return diagram;
+}
+
 }  // namespace
 
 void drawDiagram(StudioContext& context) {
@@ -114,30 +146,9 @@ void drawDiagram(StudioContext& context) {
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     const bool hovered = ImGui::IsItemHovered(), active = ImGui::IsItemActive();
     if (!active) explain("bifurcation diagram");
-    Workspace::Diagram diagram = diagramOf(workspace);
-    const ImGuiIO& io = ImGui::GetIO();
+    const Workspace::Diagram diagram = movedDiagram(context, low, space, hovered, active);
     const double unit = (diagram.right - diagram.left) / space.x;
     const auto valueAt = [&](float x) { return diagram.left + (x - low.x) * unit; };
-    if (active && ImGui::IsMouseDown(0)) {
-        const double value = valueAt(std::clamp(io.MousePos.x, low.x, high.x));
-        if (value != sharedNumber(workspace, diagram.number)) {
-            context.edit([&](Workspace& w) { setSharedNumber(w, diagram.number, value); });
-            context.welcome = false;
-            context.player.animation.running = false;
-        }
-    } else if (active && io.MouseDelta.x != 0) {
-        diagram.left -= io.MouseDelta.x * unit;
-        diagram.right -= io.MouseDelta.x * unit;
-        keep(context, diagram);
-    }
-    if (hovered && io.MouseWheel != 0) {
-        const double factor = std::pow(kWheel, static_cast<double>(io.MouseWheel));
-        const double at = valueAt(io.MousePos.x);
-        diagram.left = at + (diagram.left - at) * factor;
-        diagram.right = at + (diagram.right - at) * factor;
-        keep(context, diagram);
-        diagram = diagramOf(workspace);
-    }
     DiagramStudy& study = studyDiagram(context, size);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_FrameBg), 6);
@@ -163,7 +174,7 @@ void drawDiagram(StudioContext& context) {
                        (line >= low.x && line <= high.x ? told(line) : tr(",  beyond this range"));
     drawText(list, {low.x + 8, low.y + 4}, IM_COL32(255, 222, 110, 255), text);
     if (hovered) {
-        const float x = io.MousePos.x;
+        const float x = ImGui::GetIO().MousePos.x;
         list.AddLine({x, low.y}, {x, high.y}, ImGui::GetColorU32(ImGuiCol_TextDisabled, 0.8f), 1);
         text = shownNumber(valueAt(x), 7) + told(x);
         const float wide = ImGui::CalcTextSize(text.c_str()).x;

@@ -292,11 +292,14 @@ void explain(std::string_view control) {
 }
 
 void explainBy(std::string_view text) {
-    if (text.empty()) return;
+    static int shownIn = -1;  // the frame: where two items meet, the first one explains itself
+    if (text.empty() || shownIn == ImGui::GetFrameCount()) return;
     const bool focused = ImGui::GetIO().NavVisible && ImGui::IsItemFocused();
     if (focused ||
-        ImGui::IsItemHovered(ImGuiHoveredFlags_DelayNormal | ImGuiHoveredFlags_AllowWhenDisabled))
+        ImGui::IsItemHovered(ImGuiHoveredFlags_DelayNormal | ImGuiHoveredFlags_AllowWhenDisabled)) {
+        shownIn = ImGui::GetFrameCount();
         show(text);
+    }
 }
 
 }  // namespace versorium
