@@ -39,12 +39,28 @@ TEST(Commands, HaveIdsOfTheirOwnAndNoChordTwiceInOneState) {
         for (const Command& command : commandsOf(context)) {
             EXPECT_FALSE(command.id.empty()) << command.label;
             EXPECT_FALSE(command.label.empty()) << command.id;
+            EXPECT_GT(command.help.size(), 12u) << command.id;
             EXPECT_TRUE(ids.insert(command.id).second) << command.id;
             if (!command.chord || (command.when && !command.when())) continue;
             const auto [other, isNew] = chords.emplace(textOf(command.chord), command.id);
             EXPECT_TRUE(isNew) << command.id << " and " << other->second << ": " << other->first;
         }
     }
+}
+
+// What Find offers beside the commands has names of its own as well.
+TEST(Commands, FindOffersNothingTwice) {
+    SilentHost host;
+    HeadlessGui gui;
+    StudioContext context(host);
+    std::set<std::string> ids;
+    for (const Command& command : findable(context, "z^3 + c")) {
+        EXPECT_TRUE(ids.insert(command.id).second) << command.id;
+        EXPECT_FALSE(command.help.empty()) << command.id;
+    }
+    for (const char* id :
+         {"preset.henon", "map.quadratic", "formula.typed", "lesson.open.1-orbits"})
+        EXPECT_EQ(ids.count(id), 1u) << id;
 }
 
 TEST(Commands, AreKnownByTheSameIdsInEveryLanguage) {
