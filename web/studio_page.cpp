@@ -231,7 +231,7 @@ EMSCRIPTEN_KEEPALIVE int page_set_control(const char* id, const char* value) {
 }
 EMSCRIPTEN_KEEPALIVE void page_mark_view(int view) {
     page->settle = kSettle;
-    page->studio.markView(view);
+    page->studio.focusView(view);
 }
 
 // The lesson's pane, as JSON and by its buttons: ui/session/lessons.h.

@@ -118,24 +118,24 @@ std::optional<PlatePanel> stripPanel(const Workspace& workspace, const Plate& pl
     const MapKernels& map = mapOf(workspace.views[0]);
     PlatePanel panel;
     panel.name = static_cast<char>('a' + plate.panels.size());
-    switch (workspace.strip) {
-        case Strip::series:
-        case Strip::web: {
+    switch (workspace.plot) {
+        case PlotPanel::series:
+        case PlotPanel::web: {
             // Orbits in the plane are seen in the views themselves.
             if (map.dimension != 1 || !programNow(orbitScene(workspace))) return {};
             panel.kind = PanelKind::plot;
-            const bool web = workspace.strip == Strip::web;
+            const bool web = workspace.plot == PlotPanel::web;
             panel.title =
                 web ? words.tr("The orbit as a web") : words.tr("The orbit, step by step");
             panel.plot = web ? webOf(workspace, words) : seriesOf(workspace, words);
             return panel;
         }
-        case Strip::diagram:
+        case PlotPanel::diagram:
             if (diagramNumber(workspace).empty()) return {};
             panel.title = words.tr("Bifurcation diagram");
             makeDiagram(workspace, panel);
             return panel;
-        case Strip::profile:
+        case PlotPanel::profile:
             if (!map.info.field) return {};
             panel.kind = PanelKind::profile;
             panel.title = words.tr("Mean of φ over the radius");

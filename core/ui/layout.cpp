@@ -149,16 +149,16 @@ void WindowLayout::drawWide(StudioContext& context, ImVec2 low, ImVec2 size) {
     }
     const float bar = ImGui::GetFrameHeightWithSpacing();
     const float inspector = kInspector * context.scale;
-    const bool web = context.workspace.strip == Strip::web ||
-                     context.workspace.strip == Strip::diagram ||
-                     context.workspace.strip == Strip::profile;
+    const bool web = context.workspace.plot == PlotPanel::web ||
+                     context.workspace.plot == PlotPanel::diagram ||
+                     context.workspace.plot == PlotPanel::profile;
     const float strip =
         std::min((web ? kTallPlot : kPlot) * context.scale, size.y * (web ? 0.45f : 0.25f));
     const float left = size.x - inspector - 8;
     drawViews(context, low, {low.x + left, low.y + size.y - bar - strip - 6});
     ImGui::SetCursorScreenPos({low.x, low.y + size.y - bar - strip});
     ImGui::BeginChild("strip", {left, strip}, ImGuiChildFlags_AlwaysUseWindowPadding);
-    drawOrbitStrip(context);
+    drawPlot(context);
     ImGui::EndChild();
     ImGui::SetCursorScreenPos({low.x, low.y + size.y - bar + 4});
     const float end = drawRenderer(context, low.x + left - 8) - 12 * context.scale;
@@ -181,7 +181,7 @@ float WindowLayout::drawTabs(StudioContext& context, ImVec2 low, float wide) {
         if (workspace.analysis()) label = k == 0 ? tr("Set") : std::to_string(k);
         looks.push_back({label + "##" + std::to_string(k), "view tab", [this, &context, k] {
                              plotShown_ = false;
-                             context.mark(static_cast<int>(k));
+                             context.focus(static_cast<int>(k));
                          }});
     }
     looks.push_back({tr("Orbit"), "strip tab", [this] { plotShown_ = !plotShown_; }});
@@ -229,7 +229,7 @@ void WindowLayout::drawNarrow(StudioContext& context, ImVec2 low, ImVec2 size) {
     if (plotShown_) {
         ImGui::SetCursorScreenPos({low.x, top});
         ImGui::BeginChild("strip", {size.x, end.y - top}, ImGuiChildFlags_AlwaysUseWindowPadding);
-        drawOrbitStrip(context);
+        drawPlot(context);
         ImGui::EndChild();
     } else {
         drawView(context, context.workspace.focused, {low.x, top}, end);

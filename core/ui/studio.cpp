@@ -211,9 +211,9 @@ std::string Studio::controls() const { return controlsText(state_->context); }
 bool Studio::setControl(const std::string& id, const std::string& value) {
     return versorium::setControl(state_->context, id, value);
 }
-void Studio::markView(int view) {
+void Studio::focusView(int view) {
     const Workspace& workspace = state_->context.workspace;
-    if (view >= 0 && view < static_cast<int>(workspace.views.size())) state_->context.mark(view);
+    if (view >= 0 && view < static_cast<int>(workspace.views.size())) state_->context.focus(view);
 }
 
 int Studio::pictures() const {

@@ -49,7 +49,7 @@ class Studio {
     // What can be set and done, for controls outside of the window: ui/controls/controls.h.
     std::string controls() const;
     bool setControl(const std::string& id, const std::string& value);
-    void markView(int view);
+    void focusView(int view);
     // The lesson's pane, for a host that draws it: ui/session/lessons.h.
     std::string lesson() const;
     bool lessonDo(const std::string& action, const std::string& value);

@@ -35,9 +35,9 @@ using Pin = std::map<std::string, std::vector<double>>;
 
 // What stands below the views: the orbit as a time series or as a web, the bifurcation diagram, the
 // mean of φ over circles, or the motion.
-enum class Strip { series, web, diagram, profile, motion };
+enum class PlotPanel { series, web, diagram, profile, motion };
 template <>
-struct EnumWords<Strip> {
+struct EnumWords<PlotPanel> {
     static constexpr std::array<std::string_view, 5> table{"series", "web", "diagram", "profile",
                                                            "motion"};
 };
@@ -82,7 +82,7 @@ struct Workspace {
         double left = 0, right = 1;  // of the number; left < right
         friend bool operator==(const Diagram&, const Diagram&) = default;
     } diagram;
-    Strip strip = Strip::series;
+    PlotPanel plot = PlotPanel::series;
 
     bool analysis() const { return views.size() == kAnalysisViews; }
     // The view whose numbers are shown and set: the focused one of an analysis, never its first.

@@ -326,7 +326,7 @@ const PropertyTable<Workspace>& workspaceTable() {
                       // A formula that is typed may have taken the number away.
                       return !numberNamed(workspace.views[0], workspace.diagram.number);
                   }),
-        unless("series", wordOfEnum(&Workspace::strip,
+        unless("series", wordOfEnum(&Workspace::plot,
                                     {.path = "strip",
                                      .label = trLater("plot panel"),
                                      .help = trLater("What stands below the views: the orbit as a "

@@ -152,7 +152,7 @@ TEST(MotionPanel, KeyFramesAreSetMovedAndTakenAway) {
     context.player.showMotionAt(1);
     EXPECT_NEAR(sharedNumber(context.workspace, "c.re"), (-1 - 0.7269) / 2, 1e-12);
     // The second one is dragged along the line of time.
-    context.edit([&](Workspace& w) { w.strip = Strip::motion; });
+    context.edit([&](Workspace& w) { w.plot = PlotPanel::motion; });
     const auto strip = [&] { drawTimeline(context); };
     for (int k = 0; k < 3; ++k) gui.frame(strip);
     ImGuiIO& io = ImGui::GetIO();

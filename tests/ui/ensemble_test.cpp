@@ -74,7 +74,7 @@ TEST(Ensemble, EveryMapCanBeAveraged) {
 TEST(Ensemble, WhatComesOntoAnAxisIsDrawnNoLonger) {
     SilentHost host;
     StudioContext context(host);
-    context.mark(1);
+    context.focus(1);
     ASSERT_TRUE(context.edit([](Workspace& w) { return averageOverNumber(w.view()); }).ok());
     EXPECT_EQ(context.workspace.view().ensemble.discs.size(), 1u);
     context.edit([&](Workspace& w) { setAxis(w, 0, "c.re"); });
@@ -229,8 +229,8 @@ TEST(ProfileStrip, OfADiscIsAStraightLine) {
     EXPECT_NE(profileAt(profile, 0.01).find("stays"), std::string::npos);
     EXPECT_NE(profileAt(profile, profile.radius.back()).find("leaves"), std::string::npos);
 
-    context.edit([&](Workspace& w) { w.strip = Strip::profile; });
-    const auto strip = [&] { drawOrbitStrip(context); };
+    context.edit([&](Workspace& w) { w.plot = PlotPanel::profile; });
+    const auto strip = [&] { drawPlot(context); };
     for (int k = 0; k < 3; ++k) gui.frame(strip);
     ImGui::GetIO().AddMousePosEvent(450, 150);
     for (int k = 0; k < 4; ++k) gui.frame(strip);
@@ -244,7 +244,7 @@ TEST(ProfileStrip, OfADiscIsAStraightLine) {
     // A map without a shape has none.
     context.newMap("quadratic");
     gui.frame(strip);
-    EXPECT_EQ(context.workspace.strip, Strip::series);
+    EXPECT_EQ(context.workspace.plot, PlotPanel::series);
     EXPECT_FALSE(studyProfile(context).profile);
 }
 

@@ -63,7 +63,7 @@ TEST(Help, EveryControlOfTheInspectorExplainsItself) {
     context.newMap("logistic");
     expectHelpEverywhere(gui, inspector, "logistic");
     context.newMap("planar");
-    context.mark(0);
+    context.focus(0);
     context.edit([&](Workspace& w) { w.study = {true, 3, true, true}; });
     context.edit([&](Workspace& w) { w.compared = {0.5, 0.5}; });
     context.record();
@@ -185,12 +185,12 @@ TEST(Help, EveryControlOfTheOrbitStripExplainsItself) {
     SilentHost host;
     HeadlessGui gui({900, 300});
     StudioContext context(host);
-    const auto strip = [&] { drawOrbitStrip(context); };
+    const auto strip = [&] { drawPlot(context); };
     expectHelpEverywhere(gui, strip, "series");
     context.newMap("logistic");
-    context.edit([&](Workspace& w) { w.strip = Strip::web; });
+    context.edit([&](Workspace& w) { w.plot = PlotPanel::web; });
     expectHelpEverywhere(gui, strip, "web");
-    context.edit([&](Workspace& w) { w.strip = Strip::diagram; });
+    context.edit([&](Workspace& w) { w.plot = PlotPanel::diagram; });
     expectHelpEverywhere(gui, strip, "diagram");
     context.player.setKey();
     context.player.key = 0;

@@ -335,9 +335,9 @@ TEST(Diagram, IsFilledDraggedAndZoomed) {
     StillStudio studio("logistic");
     StudioContext& context = studio.context;
     HeadlessGui gui({900, 300});
-    context.edit([&](Workspace& w) { w.strip = Strip::diagram; });
+    context.edit([&](Workspace& w) { w.plot = PlotPanel::diagram; });
     context.edit([&](Workspace& w) { w.diagram = {"r", 2.5, 4}; });
-    const auto strip = [&] { drawOrbitStrip(context); };
+    const auto strip = [&] { drawPlot(context); };
     for (int k = 0; k < 400 && (!context.studies.diagram.diagram ||
                                 context.studies.diagram.filled <
                                     context.studies.diagram.diagram->visits.size().width);
@@ -382,7 +382,7 @@ TEST(Diagram, OfAPlateOpensWithItsStrip) {
     ASSERT_TRUE(status.ok()) << status.message();
     EXPECT_EQ(studio.context.workspace.views[0].map, "logistic");
     EXPECT_EQ(studio.context.workspace.diagram, (Workspace::Diagram{"r", 2.8, 4}));
-    EXPECT_EQ(studio.context.workspace.strip, Strip::diagram);
+    EXPECT_EQ(studio.context.workspace.plot, PlotPanel::diagram);
 }
 
 TEST(Studies, TravelInALinkAndRefuseWhatIsWrong) {
@@ -422,7 +422,7 @@ TEST(Studies, CommandsAndControlsReachThem) {
     EXPECT_TRUE(runCommand(context, "critical.curve"));
     EXPECT_TRUE(runCommand(context, "plot.diagram"));
     EXPECT_TRUE(context.workspace.study.cycles && context.workspace.study.criticalCurve);
-    EXPECT_EQ(context.workspace.strip, Strip::diagram);
+    EXPECT_EQ(context.workspace.plot, PlotPanel::diagram);
     EXPECT_TRUE(setControl(context, "study.most_period", "7"));
     EXPECT_EQ(context.workspace.study.mostPeriod, 7);
     EXPECT_FALSE(setControl(context, "study.most_period", "13"));
@@ -432,7 +432,7 @@ TEST(Studies, CommandsAndControlsReachThem) {
     EXPECT_TRUE(setControl(context, "second 1", "0.125"));
     EXPECT_EQ(context.workspace.compared[1], 0.125);
     EXPECT_EQ(comparedOrbit(context).front()[1], 0.125);
-    context.mark(0);
+    context.focus(0);
     EXPECT_TRUE(setControl(context, "start 0", "0.75"));
     EXPECT_EQ(context.workspace.views[0].start[0], 0.75);
 }

@@ -34,7 +34,7 @@ void takeWholes(const StudioContext& context, const Workspace& wanted, Workspace
     }
     if (wanted.views.size() == now.views.size()) now.focused = wanted.focused;
     now.maximised = wanted.maximised;
-    now.strip = wanted.strip;
+    now.plot = wanted.plot;
     now.ranges = wanted.ranges;
 }
 

@@ -32,7 +32,7 @@ void addAverages(StudioContext& context, Commands& all) {
          trLater("Plot: mean of φ over circles"),
          trLater("Mean, least and largest φ over circles of radius r about 0, against r."),
          {},
-         [c] { c->show(Strip::profile); }});
+         [c] { c->show(PlotPanel::profile); }});
 }
 
 }  // namespace

@@ -58,12 +58,12 @@ void addPlaces(StudioContext& context, Commands& all) {
          trLater("Back in the view's history"),
          trLater("The place that the focused view showed before."),
          {"Backspace"},
-         [c] { c->revisit(c->workspace.focused, -1); }});
+         [c] { c->goInHistory(c->workspace.focused, -1); }});
     add({"view.forward",
          trLater("Forward in the view's history"),
          trLater("The place that the focused view showed before you went back."),
          {"Backspace", false, true},
-         [c] { c->revisit(c->workspace.focused, 1); }});
+         [c] { c->goInHistory(c->workspace.focused, 1); }});
     add({"view.zoom.in",
          trLater("Zoom in"),
          trLater("Goes into the middle of the focused view."),
@@ -113,7 +113,7 @@ void addLayouts(StudioContext& context, Commands& all) {
              tr("Focus view {1}", {number}),
              trLater("Commands and the inspector are about the focused view."),
              {number},
-             [c, k] { c->mark(k); },
+             [c, k] { c->focus(k); },
              [c, k] { return k < static_cast<int>(c->workspace.views.size()); }});
     }
 }
@@ -155,19 +155,19 @@ void addViewCommands(StudioContext& context, Commands& all) {
                   trLater("Plot: orbit as a time series"),
                   trLater("The orbit's numbers against the step n."),
                   {},
-                  [c] { c->show(Strip::series); }}));
+                  [c] { c->show(PlotPanel::series); }}));
     add(harmless(
         {"plot.web",
          trLater("Plot: orbit as a cobweb diagram"),
          trLater("The graph of f with the orbit between it and the diagonal, where the map "
                  "keeps a real line."),
          {},
-         [c] { c->show(Strip::web); }}));
+         [c] { c->show(PlotPanel::web); }}));
     add(harmless({"plot.diagram",
                   trLater("Plot: bifurcation diagram"),
                   trLater("The attractor against one parameter. Drag in it to set the parameter."),
                   {},
-                  [c] { c->show(Strip::diagram); }}));
+                  [c] { c->show(PlotPanel::diagram); }}));
 }
 
 }  // namespace versorium

@@ -300,7 +300,7 @@ std::string describeView(StudioContext& context, int view) {
                                           shownNumber(scene.slice.height, 3), middle, ring});
     const std::string average = describeEnsemble(context, view);
     if (!average.empty()) text += " " + average;
-    if (context.workspace.strip == Strip::profile && traits.circles)
+    if (context.workspace.plot == PlotPanel::profile && traits.circles)
         text += " " + describeProfile(context);
     if (traits.circles) text += describeCircles(context);
     return text;

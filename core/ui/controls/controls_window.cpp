@@ -26,7 +26,7 @@ void collectWindow(StudioContext& context, ControlList& all) {
     std::vector<std::string> views;
     for (int k = 1; k <= count; ++k) views.push_back(std::to_string(k));
     all.choice("marked", "focused view", std::to_string(workspace.focused + 1), views,
-               [c](const std::string& wanted) { c->mark(std::stoi(wanted) - 1); });
+               [c](const std::string& wanted) { c->focus(std::stoi(wanted) - 1); });
     all.values({"maximised"});
     all.values({"theme", "language", "renderer", "export.width"});
     all.command("begin export", "Export the focused view now", "", [c] { c->startExport(); });

@@ -8,7 +8,7 @@ namespace versorium {
 struct StudioContext;
 
 // The plot that the workspace shows, with its tabs.
-void drawOrbitStrip(StudioContext& context);
+void drawPlot(StudioContext& context);
 
 void drawDiagram(StudioContext& context);
 void drawProfile(StudioContext& context);

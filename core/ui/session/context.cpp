@@ -85,7 +85,7 @@ void StudioContext::openStage(Workspace stage) {
 void StudioContext::take(Workspace next) {
     edit([&](Workspace& now) { now = std::move(next); });
     player.stop();
-    for (ViewState& view : views) view.visits = {}, view.glide.reset();
+    for (ViewState& view : views) view.history = {}, view.glide.reset();
     welcome = false;
 }
 
@@ -93,7 +93,7 @@ void StudioContext::openMotion(versorium::Animation animation) {
     Workspace opened = workspaceOf(animation.scene);
     opened.motion = std::move(animation.motion);
     opened.motionView = opened.focused;
-    opened.strip = Strip::motion;
+    opened.plot = PlotPanel::motion;
     open(std::move(opened));
 }
 
@@ -104,41 +104,41 @@ void StudioContext::newMap(const std::string& name) {
     Scene scene = sceneOf(*map);
     Workspace next = workspaceOf(scene);
     if (count != 2) setViewCount(next, count);
-    next.strip = workspace.strip;
+    next.plot = workspace.plot;
     open(std::move(next));
 }
 
-void StudioContext::show(Strip strip) {
-    if (workspace.strip != strip) edit([&](Workspace& next) { next.strip = strip; });
+void StudioContext::show(PlotPanel plot) {
+    if (workspace.plot != plot) edit([&](Workspace& next) { next.plot = plot; });
 }
 
-void StudioContext::mark(int view) {
+void StudioContext::focus(int view) {
     if (workspace.focused == view) return;
     edited.focus(view);
     // Other numbers are shown.
     if (workspace.analysis() || mapOf(workspace.view()).info.field) edited.refresh();
 }
 
-void StudioContext::visit(int view) {
-    Visits& visits = views[static_cast<std::size_t>(view)].visits;
+void StudioContext::remember(int view) {
+    ViewHistory& history = views[static_cast<std::size_t>(view)].history;
     const SliceSpec& place = workspace.views[static_cast<std::size_t>(view)].slice;
-    if (!visits.places.empty() && visits.places[visits.at] == place) return;
-    if (!visits.places.empty()) visits.places.resize(visits.at + 1);
-    visits.places.push_back(place);
-    visits.at = visits.places.size() - 1;
+    if (!history.places.empty() && history.places[history.at] == place) return;
+    if (!history.places.empty()) history.places.resize(history.at + 1);
+    history.places.push_back(place);
+    history.at = history.places.size() - 1;
 }
 
-void StudioContext::revisit(int view, int step) {
-    visit(view);
-    Visits& visits = views[static_cast<std::size_t>(view)].visits;
-    const auto target = static_cast<long long>(visits.at) + step;
-    if (target < 0 || target >= static_cast<long long>(visits.places.size())) return;
-    visits.at = static_cast<std::size_t>(target);
-    glideTo(view, visits.places[visits.at]);
+void StudioContext::goInHistory(int view, int step) {
+    remember(view);
+    ViewHistory& history = views[static_cast<std::size_t>(view)].history;
+    const auto target = static_cast<long long>(history.at) + step;
+    if (target < 0 || target >= static_cast<long long>(history.places.size())) return;
+    history.at = static_cast<std::size_t>(target);
+    glideTo(view, history.places[history.at]);
 }
 
 void StudioContext::home(int view) {
-    visit(view);
+    remember(view);
     glideTo(view, homeOf(workspace.views[static_cast<std::size_t>(view)]));
 }
 
@@ -192,10 +192,10 @@ bool StudioContext::pinch(ScreenPoint from, ScreenPoint to, double factor) {
             from.y >= state.high.y)
             continue;
         // One place to come back to for all that two fingers do without a pause.
-        if (host.now() - state.pinchedAt > kPinchPause) visit(static_cast<int>(k));
+        if (host.now() - state.pinchedAt > kPinchPause) remember(static_cast<int>(k));
         state.pinchedAt = host.now();
         state.drag = {.fingers = true};
-        mark(static_cast<int>(k));
+        focus(static_cast<int>(k));
         const Scene& scene = workspace.views[k];
         const Size size{static_cast<int>(state.high.x - state.low.x),
                         static_cast<int>(state.high.y - state.low.y)};

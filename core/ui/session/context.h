@@ -118,10 +118,10 @@ struct StudioContext {
     // The views of the motion's scene, with the motion in the strip below.
     void openMotion(versorium::Animation animation);
     void newMap(const std::string& name);
-    void show(Strip strip);  // below the views
-    void mark(int view);     // commands act on it
-    void visit(int view);    // remembers where a view is
-    void revisit(int view, int step);
+    void show(PlotPanel plot);  // below the views
+    void focus(int view);       // commands act on it
+    void remember(int view);    // remembers where a view is
+    void goInHistory(int view, int step);
     void home(int view);
     // The point (u, v) stays where it is. Eased, unless motion is to be reduced.
     void zoom(int view, double factor, double u, double v, bool eased = false);

@@ -47,7 +47,7 @@ void traceOutline(StudioContext& context, int view, const ViewPlane& plane,
         context.player.animation.running = false;
         if (view != drawing.view) drawing.corners.clear();
         drawing.view = view;
-        context.mark(view);
+        context.focus(view);
         if (drawing.corners.size() >= 3 &&
             distance(cornerAt(plane, drawing.corners[0]), mouse) < kCloses * scale)
             return finishOutline(context);
@@ -121,7 +121,7 @@ void paint(StudioContext& context, int view, const ViewPlane& plane, const Point
     Drawing& drawing = context.drawing;
     const glm::dvec2 here(plane.u(pointer.at.x), plane.v(pointer.at.y));
     if (pointer.over && pointer.left) {
-        context.mark(view);
+        context.focus(view);
         context.player.animation.running = false;
         drawing.view = view;
         drawing.pressed = true;
@@ -159,7 +159,7 @@ void chooseTool(StudioContext& context, Drawing::Tool tool) {
     const Workspace& workspace = context.workspace;
     for (int k = static_cast<int>(workspace.views.size()) - 1;
          k >= 0 && !traitsOf(workspace.view()).shape; --k)
-        if (traitsOf(workspace.views[static_cast<std::size_t>(k)]).shape) context.mark(k);
+        if (traitsOf(workspace.views[static_cast<std::size_t>(k)]).shape) context.focus(k);
     context.host.announce(drawingHint(context));
     context.host.wake();
 }
@@ -251,7 +251,7 @@ void finishOutline(StudioContext& context) {
         return context.report(status);
     drawing.tool = Drawing::Tool::none;
     for (std::size_t k = 0; k < context.workspace.views.size(); ++k)
-        if (traitsOf(context.workspace.views[k]).shape) context.mark(static_cast<int>(k));
+        if (traitsOf(context.workspace.views[k]).shape) context.focus(static_cast<int>(k));
     context.say("The Julia set of your shape. Turn α for detail, β to grow it");
 }
 

@@ -243,7 +243,7 @@ Status openPlate(StudioContext& context, const std::string& name, const PlateDoc
     if (first->kind == PanelKind::diagram) {
         const DiagramPlot& plot = first->diagram;
         workspace.diagram = {plot.parameter, plot.from, plot.to};
-        workspace.strip = Strip::diagram;
+        workspace.plot = PlotPanel::diagram;
     }
     context.open(std::move(workspace));
     context.say(tr("Opened panel {1} of the plate {2}", {first->name, name}));

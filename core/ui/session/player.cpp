@@ -44,7 +44,7 @@ void Player::record(bool on) {
         play(false);
         context_.edit([](Workspace& next) {
             next.motionView = next.focused;
-            next.strip = Strip::motion;
+            next.plot = PlotPanel::motion;
         });
         recorder.begin(movingScene(context_.workspace), context_.host.now());
         since = context_.host.now();
@@ -95,7 +95,7 @@ void Player::setKey() {
         KeyFrame& frame = keyAt(motion, at);
         frame.values = std::move(values);
         key = static_cast<int>(&frame - motion.keys.data());
-        next.strip = Strip::motion;
+        next.plot = PlotPanel::motion;
     });
     context_.say(tr("Key frame {1} at {2} s", {std::to_string(key + 1), shownNumber(at, 3)}));
 }

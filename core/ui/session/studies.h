@@ -131,7 +131,7 @@ void nextAxis(StudioContext& context, const std::string& name);
 // "→", "↑" or nothing: the axis of the parameter view that is this number alone.
 const char* axisSign(const Workspace& workspace, const std::string& name);
 
-// Panels (study_panel.cpp, diagram_strip.cpp, profile_strip.cpp, planar_panel.cpp).
+// Panels (study_panel.cpp, diagram_plot.cpp, profile_plot.cpp, planar_panel.cpp).
 void drawStartControls(StudioContext& context);
 void drawCycleControls(StudioContext& context);
 void drawComparedControls(StudioContext& context);

@@ -33,7 +33,7 @@ struct Drag {
 };
 
 // The places that a view has shown, for back and forward.
-struct Visits {
+struct ViewHistory {
     std::vector<SliceSpec> places;
     std::size_t at = 0;
 };
@@ -50,7 +50,7 @@ struct ViewState {
     ScreenPoint low, high;  // its rectangle in the window; empty where it is not drawn
     WantedPicture wanted;
     LivePicture picture;
-    Visits visits;
+    ViewHistory history;
     std::optional<Glide> glide;  // on its way; the workspace holds where it is now
     Drag drag;
     double pinchedAt = -100;  // when two fingers moved it last

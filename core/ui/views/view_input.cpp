@@ -36,7 +36,7 @@ void zoomToBox(const ViewFrame& frame, const ScreenPoint& from) {
     if (!(wide > kLeastBox && tall > kLeastBox)) return;
     StudioContext& context = frame.context;
     const ViewPlane& plane = frame.plane;
-    context.visit(frame.view);
+    context.remember(frame.view);
     const double u = plane.u(0.5f * (to.x + from.x)), v = plane.v(0.5f * (to.y + from.y));
     const double factor =
         std::max(tall / (plane.high.y - plane.low.y), wide / (plane.high.x - plane.low.x));
@@ -86,7 +86,7 @@ Drag pressLeft(const ViewFrame& frame) {
             frame.context.host.announce(drag->mark->name(frame, drag->item));
         return std::move(*drag);
     }
-    frame.context.visit(frame.view);
+    frame.context.remember(frame.view);
     return panView();
 }
 
@@ -106,7 +106,7 @@ int focusOf(const ViewFrame& frame) {
 
 void takePress(const ViewFrame& frame) {
     StudioContext& context = frame.context;
-    context.mark(focusOf(frame));
+    context.focus(focusOf(frame));
     context.welcome = false;
     context.player.animation.running = context.player.animation.running && !frame.pointer.left;
     frame.state().drag = frame.pointer.right ? pressRight(frame) : pressLeft(frame);
@@ -115,7 +115,7 @@ void takePress(const ViewFrame& frame) {
 void takeDoubleClick(const ViewFrame& frame) {
     for (const Mark* mark : marksByHand())
         if (mark->doubleClick && mark->doubleClick(frame)) return;
-    frame.context.visit(frame.view);
+    frame.context.remember(frame.view);
     frame.context.zoom(frame.view, 0.5, frame.u(), frame.v(), true);
 }
 

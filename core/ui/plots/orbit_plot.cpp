@@ -44,19 +44,19 @@ bool step(const char* label, const char* control) {
 }
 
 void drawTabs(StudioContext& context, bool hasWeb) {
-    const auto tab = [&](const char* name, Strip strip) {
-        const bool now = context.workspace.strip == strip;
+    const auto tab = [&](const char* name, PlotPanel plot) {
+        const bool now = context.workspace.plot == plot;
         if (now) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_HeaderActive));
-        if (ImGui::SmallButton(tr(name))) context.show(strip);
+        if (ImGui::SmallButton(tr(name))) context.show(plot);
         if (now) ImGui::PopStyleColor();
         explain(name);
         ImGui::SameLine(0, 4);
     };
-    tab("series", Strip::series);
-    if (hasWeb) tab("web", Strip::web);
-    tab("diagram", Strip::diagram);
-    if (mapOf(context.workspace.views[0]).info.field) tab("profile", Strip::profile);
-    tab("motion", Strip::motion);
+    tab("series", PlotPanel::series);
+    if (hasWeb) tab("web", PlotPanel::web);
+    tab("diagram", PlotPanel::diagram);
+    if (mapOf(context.workspace.views[0]).info.field) tab("profile", PlotPanel::profile);
+    tab("motion", PlotPanel::motion);
     ImGui::SameLine(0, 12);
 }
 
@@ -292,19 +292,20 @@ void drawWeb(StudioContext& context, const OrbitProgram& program, double second,
 
 }  // namespace
 
-void drawOrbitStrip(StudioContext& context) {
+void drawPlot(StudioContext& context) {
     const OrbitProgram* program = context.bound.orbitProgram();
     const Scene scene = orbitScene(context.workspace);
     const MapInfo& info = mapOf(scene).info;
-    if (!program || context.workspace.strip == Strip::motion) drawTabs(context, false);
-    if (context.workspace.strip == Strip::motion) return drawTimeline(context);
-    if (program && context.workspace.strip == Strip::diagram) {
+    if (!program || context.workspace.plot == PlotPanel::motion) drawTabs(context, false);
+    if (context.workspace.plot == PlotPanel::motion) return drawTimeline(context);
+    if (program && context.workspace.plot == PlotPanel::diagram) {
         const double other = scene.slice.centre.size() > 1 ? scene.slice.centre[1] : 0;
         drawTabs(context, keepsRealLine(*program, program->map->dimension == 1 ? other : 0));
         return drawDiagram(context);
     }
-    if (context.workspace.strip == Strip::profile && !info.field) context.show(Strip::series);
-    if (program && context.workspace.strip == Strip::profile) {
+    if (context.workspace.plot == PlotPanel::profile && !info.field)
+        context.show(PlotPanel::series);
+    if (program && context.workspace.plot == PlotPanel::profile) {
         drawTabs(context, keepsRealLine(*program, 0));
         return drawProfile(context);
     }
@@ -316,7 +317,7 @@ void drawOrbitStrip(StudioContext& context) {
     const double second =
         program->map->dimension == 1 && scene.slice.centre.size() > 1 ? scene.slice.centre[1] : 0;
     const bool hasWeb = keepsRealLine(*program, second);
-    if (!hasWeb && context.workspace.strip == Strip::web) context.show(Strip::series);
+    if (!hasWeb && context.workspace.plot == PlotPanel::web) context.show(PlotPanel::series);
     drawTabs(context, hasWeb);
     drawHead(context, info);
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -324,7 +325,7 @@ void drawOrbitStrip(StudioContext& context) {
     if (space.x < 60 || space.y < 30) return;
     const float columns = static_cast<float>(program->map->dimension + 1);
     const float table = std::min(0.45f * space.x, ImGui::GetFontSize() * (3.5f + 5.5f * columns));
-    const bool web = context.workspace.strip == Strip::web;
+    const bool web = context.workspace.plot == PlotPanel::web;
     const ImVec2 high{low.x + space.x - table - 10, low.y + space.y};
     ImGui::InvisibleButton("diagram", {high.x - low.x, space.y});
     explain(web ? "web diagram" : "series diagram");
