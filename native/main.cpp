@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The versorium program: a command line over the core.
+#include <algorithm>
 #include <cstdio>
 
 #include "commands/commands.h"
+#include "maps/formula_map.h"
 
 namespace {
 
@@ -55,8 +57,15 @@ int main(int argc, char** argv) {
 #if VERSORIUM_STUDIO
     versorium::addStudioCommand(line);
 #endif
+    // A formula may begin with a sign, as -z^2 + c; what follows it is no option then.
+    std::vector<std::string> words(argv + 1, argv + argc);
+    for (std::string& word : words)
+        if (word.size() > 2 && word[0] == '-' && word[1] != '-' &&
+            versorium::FormulaMap::make(word))
+            word.insert(word.begin(), ' ');
+    std::reverse(words.begin(), words.end());
     try {
-        app.parse(argc, argv);
+        app.parse(std::move(words));
     } catch (const CLI::ParseError& error) {
         const int code = app.exit(error);
         return code == 0 ? kSuccess : kUsage;

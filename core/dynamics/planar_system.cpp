@@ -161,6 +161,13 @@ std::optional<ComplexPolynomial> complexPolynomialOf(std::span<const double> num
     return result;
 }
 
+int planarDegree(std::span<const double> numbers) {
+    int largest = 0;
+    for (std::size_t k = 0; k < kPlanarNumbers; ++k)
+        if (numbers[k] != 0) largest = std::max(largest, kTerms[k % kEach].x + kTerms[k % kEach].y);
+    return largest;
+}
+
 std::vector<std::complex<double>> criticalPointsOf(const ComplexPolynomial& polynomial) {
     using C = Complex<double>;
     std::vector<C> slope;  // coefficients of the derivative

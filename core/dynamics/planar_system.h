@@ -34,6 +34,9 @@ std::optional<ComplexPolynomial> complexPolynomialOf(std::span<const double> num
 PlanarNumbers conjugateOf(std::span<const double> numbers);
 PlanarNumbers planarNumbersOf(const ComplexPolynomial& polynomial);
 
+// The largest degree of a term that is not 0, in both components.
+int planarDegree(std::span<const double> numbers);
+
 // The zeros of its derivative, each once, by their real, then imaginary parts; none for degree 1,
 // and none for a constant, whose derivative vanishes everywhere.
 std::vector<std::complex<double>> criticalPointsOf(const ComplexPolynomial& polynomial);

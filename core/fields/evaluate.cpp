@@ -23,9 +23,19 @@ double smoothStep(const OrbitProgram& program, int n, double squaredNorm) {
     const double ratio = log(squaredNorm) / (2 * log(program.escapeRadius));
     if (!(ratio > 1) || !(program.escapeRadius > 1) || std::isinf(ratio))
         return n + (ratio > 1 ? 0 : 1);
-    const double degree = program.degree > 1 ? program.degree : 2;
-    const double fraction = 1 - log(ratio) / log(degree);
+    const double fraction = 1 - log(ratio) / log(program.degree);
     return n + std::clamp(fraction, 0.0, 1.0);
+}
+
+// The same with d = L_n / L_(n-1), L = ln(1 + |z|²), so that ν is continuous whatever the growth:
+// where |z_n| passes R, the first term is n on both sides.
+double measuredStep(const OrbitProgram& program, int n, double squaredNorm, double previous) {
+    const double bound = program.escapeRadius * program.escapeRadius;
+    const double last = log(1 + squaredNorm), before = log(1 + previous);
+    if (!std::isfinite(bound) || !std::isfinite(last)) return n;
+    if (!(before > 0) || !(last > before)) return n + 1;
+    const double passed = log(last / log(1 + bound)) / log(last / before);
+    return n + 1 - std::clamp(passed, 0.0, 1.0);
 }
 
 double escapeField(FieldName field, const OrbitProgram& program, const EscapeResult& result,
@@ -39,7 +49,10 @@ double escapeField(FieldName field, const OrbitProgram& program, const EscapeRes
         case FieldName::escapeStep:
             return n;
         case FieldName::smoothEscape:
-            return escaped ? smoothStep(program, n, norm) : n;
+            if (!escaped) return n;
+            return result.previousNorm.empty() || program.onlyLastTested
+                       ? smoothStep(program, n, norm)
+                       : measuredStep(program, n, norm, result.previousNorm[i]);
         case FieldName::squaredNorm:
             return norm;
         case FieldName::logModulus:

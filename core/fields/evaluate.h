@@ -48,7 +48,10 @@ struct OrbitProgram {
     double escapeRadius = 2;
     bool onlyLastTested = false;  // A eq 12 read literally
     double iso = 0;
+    // |f(z)| ~ |z|^degree for large z, for smoothed escape times; 0: it is measured along each
+    // orbit.
     double degree = 2;
+    bool measuresGrowth() const { return !(degree > 1); }
     Trap trap;
     std::shared_ptr<const Ensemble> ensemble;  // null: this map alone
 };

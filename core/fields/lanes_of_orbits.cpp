@@ -162,6 +162,10 @@ const EscapeResult& EscapeRun::run(OrbitLanes& lanes, Needed needed) {
     batch.needEscaped = needed != Needed::steps || program.onlyLastTested;
     batch.squaredCapture = capture_ * capture_;
     batch.shortcuts = options_->shortcuts;
+    if (program.measuresGrowth() && needed == Needed::escaped) {
+        result_.previousNorm.assign(capacity, 0.0);
+        batch.previous = result_.previousNorm.data();
+    }
     lanes.escape(batch);
     result_.escaped.resize(count);
     result_.squaredNorm.resize(count);

@@ -53,6 +53,8 @@ struct EscapeResult {
     std::vector<std::int32_t> steps;
     std::vector<char> escaped;
     std::vector<double> squaredNorm;  // of the last iterate
+    // Of the one before, where the orbit escaped and the program measures its growth.
+    std::vector<double> previousNorm;
 };
 
 // What is read of the states after runEscape: nothing, those of orbits that escaped, or all.

@@ -80,7 +80,7 @@ Status GpuPicture::colourInto(GLuint frame, Size size, int rule, FieldName shown
     number("uSquaredRadius", radius * radius < 3e38 ? radius * radius : 0);
     glUniform1i(at("uOnlyLast"), orbits.onlyLastTested);
     number("uTwiceLogRadius", std::isfinite(radius) ? 2 * versorium::log(radius) : 0);
-    number("uLogDegree", versorium::log(orbits.degree > 1 ? orbits.degree : 2));
+    number("uLogDegree", orbits.measuresGrowth() ? 0 : versorium::log(orbits.degree));
     number("uIso", orbits.iso);
 
     glUniform1i(at("uRule"), rule);

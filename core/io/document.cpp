@@ -64,6 +64,30 @@ Status assignShape(Scene& scene, const std::string& key, const std::string& valu
     return {};
 }
 
+// A point of the plane or of the quaternions, or a real number, that is written as in formulas:
+// c=-0.8+0.156i, c=i, c=-0.8, aspect=16/9.
+Json pointOf(const Scene& scene, const SceneProperty& property, const std::string& text,
+             const Json& parsed) {
+    std::size_t width = 0;
+    if (property.kind == ValueKind::number || property.kind == ValueKind::whole)
+        width = parsed.is_number() ? 0 : 1;
+    else if (const auto parameter = scene.parameters.find(property.path);
+             parameter != scene.parameters.end())
+        width = parameter->second.size();
+    else if (property.path == "start" || property.path == "slice.center")
+        width = property.path == "start" ? scene.start.size() : scene.slice.axes.size();
+    if (width != 1 && width != 2 && width != 4) return parsed;
+    const Expected<std::array<double, 4>> point =
+        parseFormulaNumber(text, width == 1   ? FormulaKind::real
+                                 : width == 2 ? FormulaKind::complex
+                                              : FormulaKind::quaternion);
+    if (!point) return parsed;
+    if (width == 1) return (*point)[0];
+    Json list = Json::array();
+    for (std::size_t k = 0; k < width; ++k) list.push_back((*point)[k]);
+    return list;
+}
+
 Status assignList(RootList& list, const std::string& value) {
     Expected<Bytes> bytes = readFile(value, kMostAssetBytes);
     if (!bytes) return bytes.status();
@@ -207,6 +231,8 @@ Status assign(Scene& scene, const Assignment& assignment) {
         property->path == "modulation.beta.shape")
         return assignShape(scene, property->path, value);
     Json parsed = parseValue(value);
+    if (!parsed.is_array() && !parsed.is_object())
+        parsed = pointOf(scene, *property, value, parsed);
     if (property->path == "colour.palette" && value.ends_with(".json")) {
         Expected<Json> palette = readJsonFile(value);
         if (!palette) return palette.status();

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "maps/critical_starts.h"
 #include "maps/formula_map.h"
+#include "trace/formula_growth.h"
 
 namespace versorium {
 namespace {
@@ -58,9 +60,33 @@ bool solve2(Plane2 a, Plane2 b, Plane2 right, Plane2& solution) {
     return true;
 }
 
+// The middle of the chord through a point, along a direction, on which the derivative is 0 to the
+// last bit: around a zero of high order it underflows on a disc. The point itself where it is not.
+template <class Vanishes>
+Plane2 middleOfChord(Plane2 at, double dx, double dy, Vanishes vanishes) {
+    const auto reach = [&](double sign) {
+        double in = 0, out = 1e-6;
+        const auto place = [&](double r) {
+            return Plane2{at.x + sign * r * dx, at.y + sign * r * dy};
+        };
+        while (out < 64 && vanishes(place(out))) in = out, out *= 2;
+        for (int i = 0; i < 60; ++i) {
+            const double middle = 0.5 * (in + out);
+            (vanishes(place(middle)) ? in : out) = middle;
+        }
+        return in;
+    };
+    const double half = 0.5 * (reach(1) - reach(-1));
+    return {at.x + half * dx, at.y + half * dy};
+}
+
 bool newton(const MapKernels& map, Plane2 start, const double* parameters,
             const Environment<SecondNumber>& environment, Plane2& found) {
-    Plane2 at = start;
+    const auto vanishes = [&](Plane2 at) {
+        const Slope slope = slopeOf(map, at, 0, 0, parameters, nullptr, environment);
+        return slope.value.x == 0 && slope.value.y == 0;
+    };
+    Plane2 at = start, before{}, secondLast{};
     for (int i = 0; i < kNewtonSteps; ++i) {
         const Slope byX = slopeOf(map, at, 1, 0, parameters, nullptr, environment);
         const Slope byY = slopeOf(map, at, 0, 1, parameters, nullptr, environment);
@@ -72,8 +98,26 @@ bool newton(const MapKernels& map, Plane2 start, const double* parameters,
         const double moved = std::abs(step.x) + std::abs(step.y);
         if (moved <= 1e-15 * (1 + std::abs(at.x) + std::abs(at.y))) {
             const Slope last = slopeOf(map, at, 0, 0, parameters, nullptr, environment);
+            if (!(std::abs(last.value.x) + std::abs(last.value.y) < 1e-9)) return false;
+            if (size == 0)
+                for (int round = 0; round < 2; ++round) {
+                    at = middleOfChord(at, 1, 0, vanishes);
+                    at = middleOfChord(at, 0, 1, vanishes);
+                }
             found = at;
-            return std::abs(last.value.x) + std::abs(last.value.y) < 1e-9;
+            return true;
+        }
+        // Steps that shrink by the same factor again and again lead to a zero of higher order: the
+        // sum of all that would follow is taken at once.
+        const double last2 = before.x * before.x + before.y * before.y;
+        const double ratio = (step.x * before.x + step.y * before.y) / last2;
+        const double ratioBefore = (before.x * secondLast.x + before.y * secondLast.y) /
+                                   (secondLast.x * secondLast.x + secondLast.y * secondLast.y);
+        secondLast = before, before = step;
+        if (ratio > 0.6 && ratio < 1 && std::abs(ratio - ratioBefore) < 1e-3) {
+            const double rest = ratio / (1 - ratio);
+            at = {at.x - rest * step.x, at.y - rest * step.y};
+            before = secondLast = {};
         }
     }
     return false;
@@ -82,7 +126,25 @@ bool newton(const MapKernels& map, Plane2 start, const double* parameters,
 struct Candidate {
     Plane2 point;
     bool fixed;
+    bool infinity = false;  // the point stands for it
 };
+
+// f(infinity), where infinity is a critical point: f(z) - f(infinity) falls like |z|^-2 or faster.
+std::optional<Plane2> imageOfInfinity(const MapKernels& map, const double* parameters,
+                                      const Environment<double>& environment) {
+    if (!map.formula) return std::nullopt;
+    const auto value = valueAtInfinity(map.formula->formula(), parameters);
+    if (!value || !std::isfinite(value->re) || !std::isfinite(value->im)) return std::nullopt;
+    const auto difference = [&](double radius) {
+        double state[2] = {0.8 * radius, 0.6 * radius};
+        map.step(state, parameters, environment);
+        const double x = state[0] - value->re, y = state[1] - value->im;
+        return std::sqrt(x * x + y * y);
+    };
+    const double near = difference(1e3), far = difference(1e4);
+    if (!(near > 0) || !(far < 0.05 * near)) return std::nullopt;
+    return Plane2{value->re, value->im};
+}
 
 std::vector<Candidate> solvedPoints(const MapKernels& map, const double* parameters,
                                     const Environment<double>& environment) {
@@ -98,7 +160,7 @@ std::vector<Candidate> solvedPoints(const MapKernels& map, const double* paramet
         double image[2] = {found.x, found.y};
         map.step(image, parameters, environment);
         const bool fixed = std::abs(image[0] - found.x) + std::abs(image[1] - found.y) < 1e-7;
-        all.push_back({found, fixed});
+        all.push_back({found, fixed, false});
     };
     const auto starts = criticalStarts(map, parameters, environment);
     for (const Complex<double>& start : starts) attempt({start.re, start.im});
@@ -116,6 +178,8 @@ std::vector<Candidate> solvedPoints(const MapKernels& map, const double* paramet
         return std::abs(a.point.x - b.point.x) > 1e-9 ? a.point.x < b.point.x
                                                       : a.point.y < b.point.y;
     });
+    if (const auto image = imageOfInfinity(map, parameters, environment))
+        all.push_back({*image, false, true});
     return all;
 }
 
@@ -158,7 +222,13 @@ bool criticalPoint(const MapKernels& map, int k, const double* parameters,
     if (static_cast<std::size_t>(k) >= all.size()) return false;
     const Plane2 at = all[static_cast<std::size_t>(k)].point;
     point[0] = at.x, point[1] = at.y;
-    if (slope) {
+    if (slope && all[static_cast<std::size_t>(k)].infinity) {
+        std::array<DualNumber, kMostParameters> moving;
+        for (int i = 0; i < map.parameters; ++i)
+            moving[static_cast<std::size_t>(i)] = {parameters[i], parameterSlopes[i]};
+        const auto value = valueAtInfinity(map.formula->formula(), moving.data());
+        slope[0] = value->re.slope, slope[1] = value->im.slope;
+    } else if (slope) {
         // ∂F/∂x(p*(s), s) = 0 for all s: differentiate it.
         const auto second = lifted(environment);
         const Slope byX = slopeOf(map, at, 1, 0, parameters, nullptr, second);

@@ -5,7 +5,10 @@
 // method, with second derivatives by duals of duals, from the approximations of
 // maps/critical_starts.h or from a grid of starts. For a complex-analytic map
 // that is f' = 0; for any planar map it makes det J = 0. Points that are fixed by the map (the
-// roots under Newton's map) come last; within each group they are ordered by x, then y. Multiple
+// roots under Newton's map) come last; within each group they are ordered by x, then y. Where a
+// formula has a finite value at infinity and is no local bijection there, infinity is a critical
+// point, behind all others: its orbit goes on with f(infinity), which stands for it, as it does for
+// a multiple pole (1/z^2 + c: 0 -> infinity -> c). Multiple
 // roots of rational maps, where the derivative has no direction, are not among them; on a planar
 // system only points that one of 25 starts leads to are.
 

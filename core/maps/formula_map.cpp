@@ -10,6 +10,7 @@
 #include "maps/formula_shape.h"
 #include "maps/formula_step.h"
 #include "maps/shape_modulus.h"
+#include "trace/formula_growth.h"
 
 namespace versorium {
 namespace {
@@ -44,19 +45,16 @@ ParameterKind kindOf(FormulaKind kind) {
     }
 }
 
-// The catalogue's own radii where a formula is one of its families; polynomials with other terms
-// need more room, and others are mostly judged by how large they can get.
+// Large enough that escape times are smooth: the leading term has taken over there.
 double radiusOf(const Formula& formula) {
     if (formula.shape) return shape_modulus::kEscapeRadius;
     switch (formula.space) {
         case FormulaSpace::complex:
-            return formula.unicritical ? 2 : formula.degree >= 2 ? 10 : 50;
-        case FormulaSpace::quaternion:
-            return 2;
+            return formula.degree >= 2 ? 100 : 50;
         case FormulaSpace::line:
             return 16;
         default:
-            return 10;
+            return 100;
     }
 }
 
@@ -177,7 +175,7 @@ void FormulaMap::describe() {
              .parameters = parameters_,
              .field = formula_.shape,
              .escapeRadius = radiusOf(formula_),
-             .degree = formula_.growth >= 2 ? static_cast<double>(formula_.growth) : 2.0,
+             .degree = 0,  // it follows from the parameters (growthAtInfinity)
              .homeHeight = formula_.shape                         ? shape_modulus::kHomeHeight
                            : formula_.space == FormulaSpace::line ? 4.0
                            : formula_.unicritical || formula_.space == FormulaSpace::quaternion
@@ -195,14 +193,17 @@ void FormulaMap::describe() {
             info_.parameterCentre = map.info.parameterCentre;
         }
     const int dimension = dimensionOf(formula_.space);
-    kernels_ = rowOfDimension(dimension, info_, this, code_, !formula_.shape);
-    if (dimension != 2 || formula_.shape) return;
-    // Critical points are offered where there is one to begin with.
     std::vector<double> values;
     for (const ParameterInfo& parameter : parameters_)
         for (int k = 0; k < widthOf(parameter.kind); ++k)
             values.push_back(parameter.value[static_cast<std::size_t>(k)]);
     values.push_back(0);
+    // The image of infinity follows all parameters (maps/critical.h).
+    if (valueAtInfinity(formula_, values.data()))
+        formula_.movesCritical.assign(formula_.movesCritical.size(), true);
+    kernels_ = rowOfDimension(dimension, info_, this, code_, !formula_.shape);
+    if (dimension != 2 || formula_.shape) return;
+    // Critical points are offered where there is one to begin with.
     double point[2];
     if (!criticalPoint(*kernels_, 0, values.data(), {}, point))
         kernels_ = rowOfDimension(dimension, info_, this, code_, false);

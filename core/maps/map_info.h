@@ -70,7 +70,8 @@ struct MapInfo {
     std::string_view degreeParameter = {};
     // Default escape radius; infinite where a map has none (only NaN and overflow escape then).
     double escapeRadius = 2;
-    // Growth of |z| at infinity: |f(z)| ~ |z|^degree, for smoothed escape times.
+    // Growth of |z| at infinity: |f(z)| ~ |z|^degree, for smoothed escape times. 0: it follows from
+    // parameters and roots (render/growth.h).
     double degree = 2;
     // f(conj z; conj parameters) = conj f(z), to the bit.
     bool conjugation = false;

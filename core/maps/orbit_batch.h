@@ -47,6 +47,9 @@ struct OrbitBatch {
     bool needLast = true;
     // Whether it is read for orbits that did.
     bool needEscaped = true;
+    // Of orbits that escaped the squared norm of the iterate before; null: not wanted. 0 where the
+    // start is outside.
+    T* previous = nullptr;
     // Whether orbits may be decided early where that changes no result.
     bool shortcuts = true;
     // Orbits whose squared norm is below this never escape; 0 where nothing is known.

@@ -6,9 +6,11 @@
 
 #include "base/embedded.h"
 #include "fields/ensemble.h"
+#include "fields/lanes_of_orbits.h"
 #include "io/grid_files.h"
 #include "io/image_files.h"
 #include "io/mesh_files.h"
+#include "render/growth.h"
 #include "render/root_region.h"
 #include "render/shape_profile.h"
 #include "scene/numbers.h"
@@ -202,6 +204,29 @@ Status bindSlice(const Scene& scene, OrbitProgram& program) {
     return {};
 }
 
+// A critical start must exist somewhere in the picture: in its middle or at its edges.
+Status checkCriticalStart(const Scene& scene, const OrbitProgram& program) {
+    if (!program.critical) return {};
+    constexpr int kPlaces = 9;
+    const std::size_t axes = scene.slice.axes.size();
+    double places[3][kPlaces] = {};
+    const double* rows[3] = {places[0], places[1], places[2]};
+    for (std::size_t axis = 0; axis < std::min<std::size_t>(axes, 3); ++axis)
+        for (int i = 0; i < kPlaces; ++i) {
+            const int step = axis == 0 ? i % 3 - 1 : axis == 1 ? i / 3 - 1 : 0;
+            places[axis][i] = scene.slice.centre[axis] + 0.5 * step * scene.slice.height;
+        }
+    OrbitLanes lanes(program, kPlaces, rows, {});
+    const std::vector<double>& first = lanes.state(0);
+    if (!std::all_of(first.begin(), first.begin() + kPlaces,
+                     [](double value) { return std::isnan(value); }))
+        return {};
+    return Status::data("start: the map has no critical point number " +
+                        std::to_string(*program.critical) +
+                        " here; \"versorium formula\" lists those of a formula, and numbers may "
+                        "stand in its place, such as --set start=0,0");
+}
+
 Trap trapOf(const TrapSpec& spec) {
     Trap trap;
     trap.kind = spec.kind;
@@ -360,10 +385,9 @@ Expected<OrbitProgram> Binder::bind(const Scene& scene, Job& job) {
     program.escapeRadius = scene.escapeRadius.value_or(automaticRadius(scene));
     program.onlyLastTested = scene.escapeTest == EscapeTest::last;
     program.iso = scene.iso;
-    program.degree = map.info.degree;
-    if (!map.info.degreeParameter.empty())
-        program.degree = scene.parameters.at(std::string(map.info.degreeParameter))[0];
+    program.degree = growthAtInfinity(scene, program);
     program.trap = trapOf(scene.trap);
+    if (Status status = checkCriticalStart(scene, program); !status.ok()) return status;
     return program;
 }
 

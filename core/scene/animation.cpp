@@ -9,11 +9,13 @@
 #include "math/elementary.h"
 #include "scene/numbers.h"
 #include "scene/properties.h"
+#include "scene/zoom_path.h"
 
 namespace versorium {
 namespace {
 
 constexpr const char* kHeight = "slice.height";
+constexpr const char* kCentre = "slice.center[";
 // Recordings at 60 frames a second for an hour.
 constexpr std::size_t kMostRecorded = 60 * 3600;
 
@@ -24,35 +26,28 @@ std::optional<SceneProperty> movingProperty(const Scene& scene, const std::strin
     return found->moves || numberNamed(scene, name) ? std::move(found) : std::nullopt;
 }
 
-double between(const std::string& name, double from, double to, double part) {
-    if (name == kHeight && from > 0 && to > 0)
-        return from == to ? from : exp(log(from) + (log(to) - log(from)) * part);
-    return from + (to - from) * part;
-}
+bool isCentre(const std::string& name) { return name.starts_with(kCentre); }
 
 double eased(Easing easing, double part) {
     if (easing == Easing::hold) return part < 1 ? 0 : 1;
     return easing == Easing::smooth ? part * part * (3 - 2 * part) : part;
 }
 
-// Which of the samples are needed so that straight lines between them stay within `most` of all:
-// the farthest one between two that are kept is kept as well.
-std::vector<std::size_t> needed(const std::vector<double>& times, const std::vector<double>& values,
-                                double most) {
-    std::vector<char> kept(values.size(), 0);
+// Which of the samples are needed so that what is interpolated between them stays within `most` of
+// all: the farthest one between two that are kept is kept as well. gap(first, last, i) says how far
+// sample i is from it.
+template <class Gap>
+std::vector<std::size_t> needed(std::size_t count, double most, Gap gap) {
+    std::vector<char> kept(count, 0);
     kept.front() = kept.back() = 1;
-    std::vector<std::pair<std::size_t, std::size_t>> spans{{0, values.size() - 1}};
+    std::vector<std::pair<std::size_t, std::size_t>> spans{{0, count - 1}};
     while (!spans.empty()) {
         const auto [first, last] = spans.back();
         spans.pop_back();
         double farthest = most;
         std::size_t at = 0;
-        for (std::size_t i = first + 1; i < last; ++i) {
-            const double part = (times[i] - times[first]) / (times[last] - times[first]);
-            const double gap =
-                std::abs(values[i] - (values[first] + (values[last] - values[first]) * part));
-            if (gap > farthest) farthest = gap, at = i;
-        }
+        for (std::size_t i = first + 1; i < last; ++i)
+            if (const double own = gap(first, last, i); own > farthest) farthest = own, at = i;
         if (at == 0) continue;
         kept[at] = 1;
         spans.emplace_back(first, at);
@@ -118,28 +113,82 @@ std::vector<std::string> movingNames(const Scene& scene) {
     return names;
 }
 
+namespace {
+
+// The key frames of a number around a time.
+struct Span {
+    const KeyFrame *before = nullptr, *after = nullptr;
+
+    bool moves() const { return before && after; }
+    double first(const std::string& name) const {
+        return (before ? before : after)->values.at(name);
+    }
+    double part(double time) const {
+        return eased(before->easing, (time - before->time) / (after->time - before->time));
+    }
+};
+
+Span spanOf(const Motion& motion, const std::string& name, double time) {
+    Span span;
+    for (const KeyFrame& key : motion.keys) {
+        if (!key.values.contains(name)) continue;
+        if (key.time <= time)
+            span.before = &key;
+        else if (!span.after)
+            span.after = &key;
+    }
+    return span;
+}
+
+double heightAt(const Motion& motion, double time) {
+    const Span span = spanOf(motion, kHeight, time);
+    if (!span.moves()) return span.first(kHeight);
+    return heightOnTheWay(span.first(kHeight), span.after->values.at(kHeight), span.part(time));
+}
+
+// How much of its way the centre has gone between two key frames of its own, where those of the
+// height are others: it moves by the same share of the height at all times, as between common ones.
+double partByHeights(const Motion& motion, const Span& span, double time) {
+    constexpr int kPieces = 512;
+    double done = 0, whole = 0;
+    const double length = span.after->time - span.before->time;
+    for (int k = 0; k < kPieces; ++k) {
+        const double middle = (k + 0.5) / kPieces;
+        const double part = std::clamp((time - span.before->time) / length * kPieces - k, 0.0, 1.0);
+        const double height = heightAt(motion, span.before->time + middle * length);
+        done += part * height;
+        whole += height;
+    }
+    return done / whole;
+}
+
+}  // namespace
+
 std::map<std::string, double> valuesAt(const Motion& motion, double time) {
-    struct Span {
-        const KeyFrame *before = nullptr, *after = nullptr;
-    };
-    std::map<std::string, Span> spans;
-    for (const KeyFrame& key : motion.keys)
-        for (const auto& [name, value] : key.values) {
-            Span& span = spans[name];
-            if (key.time <= time)
-                span.before = &key;
-            else if (!span.after)
-                span.after = &key;
-        }
     std::map<std::string, double> values;
-    for (const auto& [name, span] : spans) {
-        const KeyFrame& from = span.before ? *span.before : *span.after;
-        double value = from.values.at(name);
-        if (span.before && span.after)
-            value =
-                between(name, value, span.after->values.at(name),
-                        eased(from.easing, (time - from.time) / (span.after->time - from.time)));
-        values[name] = value;
+    for (const KeyFrame& key : motion.keys)
+        for (const auto& [name, value] : key.values) values.emplace(name, value);
+    const bool zooms = values.contains(kHeight);
+    const Span height = zooms ? spanOf(motion, kHeight, time) : Span{};
+    for (auto& [name, value] : values) {
+        const Span span = name == kHeight ? height : spanOf(motion, name, time);
+        value = span.first(name);
+        if (!span.moves()) continue;
+        const double to = span.after->values.at(name);
+        if (name == kHeight) {
+            value = heightOnTheWay(value, to, span.part(time));
+            continue;
+        }
+        double part = span.part(time);
+        if (isCentre(name) && zooms) {
+            if (height.before == span.before && height.after == span.after)
+                part =
+                    centreOnTheWay(height.first(kHeight), height.after->values.at(kHeight), part);
+            else if (span.before->easing != Easing::hold)
+                part = partByHeights(motion, span, time);
+        }
+        // From the end that is nearer, so that no digit of it is lost.
+        value = part > 0.5 ? to + (value - to) * (1 - part) : value + (to - value) * part;
     }
     return values;
 }
@@ -238,22 +287,58 @@ void Recorder::take(const Scene& scene, double now) {
 
 std::optional<Motion> Recorder::finish(double tolerance) const {
     if (samples_.size() < 2) return std::nullopt;
-    std::vector<double> times;
-    for (const Sample& sample : samples_) times.push_back(sample.time);
     std::map<double, KeyFrame> keys;
+    const auto write = [&](std::size_t column, std::size_t at) {
+        KeyFrame& key = keys[samples_[at].time];
+        key.time = samples_[at].time;
+        key.values[names_[column]] = samples_[at].values[column];
+    };
+    const auto value = [&](std::size_t column, std::size_t at) {
+        return samples_[at].values[column];
+    };
+    const auto partOf = [&](std::size_t first, std::size_t last, std::size_t at) {
+        return (samples_[at].time - samples_[first].time) /
+               (samples_[last].time - samples_[first].time);
+    };
+    const auto moves = [&](std::size_t column) {
+        return std::any_of(samples_.begin(), samples_.end(), [&](const Sample& sample) {
+            return sample.values[column] != samples_[0].values[column];
+        });
+    };
+    // The view as one: a gap is measured in picture heights.
+    std::vector<std::size_t> view, centre;
+    std::size_t height = names_.size();
     for (std::size_t k = 0; k < names_.size(); ++k) {
-        std::vector<double> values;
-        for (const Sample& sample : samples_) values.push_back(sample.values[k]);
-        const auto [low, high] = std::minmax_element(values.begin(), values.end());
-        if (*low == *high) continue;
-        std::vector<double> measured = values;
-        if (names_[k] == kHeight)
-            for (double& value : measured) value = log(value);
-        const auto [least, most] = std::minmax_element(measured.begin(), measured.end());
-        for (std::size_t at : needed(times, measured, tolerance * (*most - *least))) {
-            keys[times[at]].time = times[at];
-            keys[times[at]].values[names_[k]] = values[at];
-        }
+        if (names_[k] == kHeight) height = k;
+        if (isCentre(names_[k])) centre.push_back(k);
+        if ((names_[k] == kHeight || isCentre(names_[k])) && moves(k)) view.push_back(k);
+    }
+    if (!view.empty()) {
+        const auto gap = [&](std::size_t first, std::size_t last, std::size_t at) {
+            const double part = partOf(first, last, at);
+            const double from = value(height, first), to = value(height, last);
+            const double way = centreOnTheWay(from, to, part), own = value(height, at);
+            double largest = std::abs(log(heightOnTheWay(from, to, part) / own));
+            for (std::size_t k : centre) {
+                const double there = value(k, first) + (value(k, last) - value(k, first)) * way;
+                largest = std::max(largest, std::abs(there - value(k, at)) / own);
+            }
+            return largest;
+        };
+        for (std::size_t at : needed(samples_.size(), tolerance, gap))
+            for (std::size_t k : view) write(k, at);
+    }
+    for (std::size_t k = 0; k < names_.size(); ++k) {
+        if (names_[k] == kHeight || isCentre(names_[k]) || !moves(k)) continue;
+        double low = value(k, 0), high = low;
+        for (std::size_t i = 0; i < samples_.size(); ++i)
+            low = std::min(low, value(k, i)), high = std::max(high, value(k, i));
+        const auto gap = [&](std::size_t first, std::size_t last, std::size_t at) {
+            const double from = value(k, first);
+            return std::abs(value(k, at) -
+                            (from + (value(k, last) - from) * partOf(first, last, at)));
+        };
+        for (std::size_t at : needed(samples_.size(), tolerance * (high - low), gap)) write(k, at);
     }
     if (keys.empty()) return std::nullopt;
     Motion motion;

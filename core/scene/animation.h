@@ -54,7 +54,8 @@ bool setMovingValue(Scene& scene, const std::string& name, double value);
 std::vector<std::string> movingNames(const Scene& scene);
 
 // Before a number's first key frame it has the value of that one, after the last one of the last.
-// Heights go geometrically, so that zooms look steady.
+// Heights go by equal ratios and the centre with them (scene/zoom_path.h), so that zooms look
+// steady and keep their target in sight.
 std::map<std::string, double> valuesAt(const Motion& motion, double time);
 Scene sceneAt(const Animation& animation, double time);
 Scene frameOf(const Animation& animation, int frame);
@@ -69,7 +70,8 @@ Expected<Animation> animationFromJson(const Json& json);
 Json animationToJson(const Animation& animation);
 
 // Takes down what a user does, at any moments, and makes key frames of it: as few as reproduce
-// every number within `tolerance` of the range that it went through.
+// every number within `tolerance` of the range that it went through, and the view within that share
+// of its height.
 class Recorder {
   public:
     void begin(const Scene& scene, double now);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "maps/critical.h"
 #include "scene/numbers.h"
 
 namespace versorium {
@@ -303,7 +304,42 @@ Json defaultOf(const Scene& scene, const SceneProperty& property) {
     return property.home ? *property.home : Json();
 }
 
+// Words of other programs for what has another name here.
+std::string_view ownNameOf(std::string_view name) {
+    constexpr std::pair<std::string_view, std::string_view> kWords[] = {
+        {"zoom", "slice.height"},
+        {"magnification", "slice.height"},
+        {"radius", "slice.height"},
+        {"size", "slice.height"},
+        {"width", "slice.height"},
+        {"maxiter", "iterations"},
+        {"max_iterations", "iterations"},
+        {"iter", "iterations"},
+        {"depth", "iterations"},
+        {"N", "iterations"},
+        {"n", "iterations"},
+        {"bailout", "escape_radius"},
+        {"palette", "colour.palette"},
+        {"antialiasing", "samples"},
+        {"supersampling", "samples"}};
+    for (const auto& [word, own] : kWords)
+        if (word == name) return own;
+    return {};
+}
+
 Status unknownValue(const Scene& scene, const std::string& name) {
+    // What other maps have is said to be theirs.
+    std::string owners;
+    int count = 0;
+    for (const MapKernels& map : catalogue())
+        if (propertyNamed(sceneOf(map), name) && ++count <= 3)
+            owners += (owners.empty() ? "" : ", ") + std::string(map.info.name);
+    if (count > 0)
+        return Status::data("the map \"" + scene.map + "\" has no \"" + name +
+                            "\"; maps that have it are " + owners +
+                            (count > 3 ? " and others" : ""));
+    if (const std::string_view own = ownNameOf(name); !own.empty())
+        return Status::data("there is no such key; did you mean " + std::string(own) + "?");
     const std::vector<std::string> near = nearestNames(scene, name);
     if (near.empty())
         return Status::data("the map \"" + scene.map + "\" has no such key; its numbers are " +
@@ -333,6 +369,9 @@ Status checkScene(const Scene& scene) {
             if (Status s = check(name, "slice.axes[" + std::to_string(k) + "]"); !s.ok()) return s;
     for (const auto& [name, value] : scene.slice.origin)
         if (Status s = check(name, "slice.origin"); !s.ok()) return s;
+    if (scene.criticalStart && !hasCriticalPoints(mapOf(scene)))
+        return Status::data("start: the map \"" + scene.map +
+                            "\" has no critical points; give the start as numbers");
     if (scene.criticalStart)
         for (const SliceAxis& axis : scene.slice.axes)
             for (const auto& [name, weight] : axis.terms)

@@ -20,15 +20,19 @@ Expected<Scene> sceneFromJson(const Json& value) {
     if (reader.failed()) return reader.finish();
     const MapKernels* map = findMap(name);
     std::shared_ptr<const FormulaMap> typed;  // keeps the map
-    if (name == kFormulaName) {
-        std::string text;
-        reader.text("formula", text);
-        if (!reader.has("formula"))
+    // "map": "z^2 + c" is short for "map": "formula", "formula": "z^2 + c".
+    const bool inPlace = !map && name != kFormulaName && looksLikeFormula(name);
+    if (name == kFormulaName || inPlace) {
+        std::string text = inPlace ? name : std::string();
+        if (!inPlace) reader.text("formula", text);
+        if (inPlace && reader.has("formula"))
+            return Status::data("formula: stands beside \"map\": \"formula\" only");
+        if (!inPlace && !reader.has("formula"))
             reader.fail("formula",
                         "is missing: what the map \"formula\" does, such as \"z^2 + c\"");
         if (reader.failed()) return reader.finish();
         Expected<std::shared_ptr<const FormulaMap>> made = FormulaMap::make(text);
-        if (!made) return Status::data("formula, " + made.status().message());
+        if (!made) return Status::data((inPlace ? "map, " : "formula, ") + made.status().message());
         typed = *made;
         map = &typed->kernels();
     } else if (reader.has("formula")) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "trace/formula_reading.h"
 #include "trace/formula_terms.h"
 #include "trace/index.h"
 
@@ -20,7 +21,8 @@ class Meaning {
     FormulaFault fault;
 
     bool find() {
-        return findSpace() && findShape() && resolveAll() && declare() && findDefaults();
+        return findSpace() && findShape() && resolveAll() && declare() && noDoubt() &&
+               findDefaults();
     }
     const std::vector<Expression>& components() const { return components_; }
 
@@ -29,13 +31,15 @@ class Meaning {
         fault = {position, std::move(message)};
         return false;
     }
-    bool speaksOf(const std::string& name) const {
+    // Where a name stands first.
+    std::optional<std::size_t> placeOf(const std::string& name) const {
         for (const Statement& statement : parsed_.statements)
             for (const Term& term : statement.expression.terms)
                 if (term.kind == TermKind::name && parsed_.names[at(term.index)] == name)
-                    return true;
-        return false;
+                    return term.position;
+        return std::nullopt;
     }
+    bool speaksOf(const std::string& name) const { return placeOf(name).has_value(); }
     bool findSpace() {
         auto& all = parsed_.statements;
         if (all.size() == 2) {
@@ -49,6 +53,15 @@ class Meaning {
             if (!all[0].head.empty() && all[0].head == all[1].head)
                 return fail(all[1].position,
                             std::string(all[0].head == "x" ? "y" : "x") + "' = … is expected here");
+            for (const char* name : {"z", "q"})
+                if (const std::optional<std::size_t> where = placeOf(name))
+                    return fail(*where,
+                                "a comma parts the two formulas of the plane, which are of x "
+                                "and y, not of " +
+                                    std::string(name));
+            if (all[0].head.empty() && !speaksOf("x") && !speaksOf("y"))
+                return fail(all[1].position,
+                            "a comma parts the two formulas of the plane, which are of x and y");
             if (all[0].head == "y") std::swap(all[0], all[1]);
             return true;
         }
@@ -56,6 +69,17 @@ class Meaning {
         if (head == "y") return fail(all[0].position, "y' needs an x' beside it: x' = …, y' = …");
         for (const char* name : {"z", "q", "x"})
             if (head.empty() && speaksOf(name)) head = name;
+        for (const char* name : {"Z", "Q", "X"})
+            if (head.empty() && speaksOf(name))
+                return fail(*placeOf(name),
+                            "capital letters are names of their own: did you mean " +
+                                std::string(1, char(name[0] - 'A' + 'a')) + "?");
+        for (const FormulaSpace space :
+             {FormulaSpace::complex, FormulaSpace::line, FormulaSpace::quaternion})
+            for (const std::string& name :
+                 head.empty() ? parsed_.names : std::vector<std::string>())
+                if (std::string doubt = doubtAbout(name, space, parsed_.names); !doubt.empty())
+                    return fail(placeOf(name).value_or(0), std::move(doubt));
         if (head.empty())
             return fail(0,
                         "a formula speaks of z (complex), q (quaternion) or x (real), such as "
@@ -221,6 +245,20 @@ class Meaning {
         }
         return true;
     }
+    // Names that can be read in two ways are declared, or refused.
+    bool noDoubt() {
+        std::vector<std::string> names;
+        for (const FormulaParameter& parameter : formula_.parameters)
+            names.push_back(parameter.name);
+        for (std::size_t k = own_; k < names.size(); ++k) {
+            if (std::any_of(parsed_.declarations.begin(), parsed_.declarations.end(),
+                            [&](const Declaration& one) { return one.name == names[k]; }))
+                continue;
+            std::string doubt = doubtAbout(names[k], formula_.space, names);
+            if (!doubt.empty()) return fail(positions_[k], std::move(doubt));
+        }
+        return true;
+    }
     bool findDefaults() {
         for (std::size_t k = own_; k < formula_.parameters.size(); ++k)
             standard(formula_.parameters[k], exponent_[k]);
@@ -266,7 +304,49 @@ class Meaning {
 };
 
 }  // namespace
+// A number's text as the expression that it is.
+bool readNumber(std::string_view text, FormulaSpace space, FormulaKind kind,
+                std::array<double, 4>& value, FormulaFault& fault) {
+    ParsedFormula parsed;
+    if (!parseText(text, parsed, fault)) return false;
+    if (parsed.statements.size() != 1 || !parsed.declarations.empty() ||
+        !parsed.statements[0].head.empty()) {
+        fault = {0, "one number is expected"};
+        return false;
+    }
+    Expression& expression = parsed.statements[0].expression;
+    for (Term& term : expression.terms) {
+        if (term.kind != TermKind::name) continue;
+        const std::string& name = parsed.names[at(term.index)];
+        const std::size_t unit =
+            name.size() == 1 ? std::string_view("ijk").find(name[0]) : std::string_view::npos;
+        if (name == "pi" || name == "e") {
+            term.kind = TermKind::number;
+            term.number = name == "pi" ? kPi : kE;
+        } else if (widthOf(kind) == 4 ? unit < 3 : widthOf(kind) == 2 && unit == 0) {
+            term.kind = TermKind::unit;
+            term.index = static_cast<int>(unit) + 1;
+        } else {
+            fault = {term.position, "a number is expected, not \"" + name + "\""};
+            return false;
+        }
+    }
+    return constantOf(expression, space, kind, value, fault);
+}
+
 }  // namespace formulas
+
+Expected<std::array<double, 4>> parseFormulaNumber(std::string_view text, FormulaKind kind) {
+    const FormulaSpace space = kind == FormulaKind::quaternion ? FormulaSpace::quaternion
+                               : kind == FormulaKind::complex  ? FormulaSpace::complex
+                                                               : FormulaSpace::line;
+    std::array<double, 4> value{};
+    FormulaFault fault;
+    if (!formulas::readNumber(text, space, kind, value, fault))
+        return Status::usage("character " + std::to_string(fault.position + 1) + ": " +
+                             fault.message);
+    return value;
+}
 
 int widthOf(FormulaKind kind) {
     return kind == FormulaKind::complex ? 2 : kind == FormulaKind::quaternion ? 4 : 1;
@@ -298,6 +378,7 @@ Expected<Formula> parseFormula(std::string_view text, FormulaFault* fault,
             "x' = " + formula.body + ", y' = " + formulas::printExpression(parts[1], formula);
     else if (!parsed.statements[0].head.empty())
         formula.body = parsed.statements[0].head + "' = " + formula.body;
+    formula.shown = formulas::showFormula(parts, formula);
     formula.text = formula.body + formulas::printDeclarations(parsed.declarations, formula);
     return formula;
 }

@@ -8,12 +8,13 @@
 //   r*x*(1 - x)                            the real line: it speaks of x alone
 //   z^3 - a*z + c; a: real = 0.5 in [0, 4]; c = -0.1 + 0.7i
 //
-// A head (z' =, q' =, x' =, or z ->) decides where a formula lives, else the first of z, q, x that
-// stands in it. All other names are parameters, in the order in which they stand: complex in a
-// complex formula, real in one of the line or the plane, quaternions in a quaternion formula. A
-// name that stands alone as an exponent is real. Declarations after a semicolon say otherwise:
-// name: kind = default in [low, high], each part optional, with the kinds real, whole, complex and
-// quaternion.
+// A head (z' =, q' =, x' =, z ->, f(z) = or z_{n+1} =) decides where a formula lives, else the
+// first of z, q, x that stands in it; z_n is z. All other names are parameters, in the order in
+// which they stand: complex in a complex formula, real in one of the line or the plane, quaternions
+// in a quaternion formula. A name that stands alone as an exponent is real. Declarations after a
+// semicolon say otherwise: name: kind = default in [low, high], each part optional, with the kinds
+// real, whole, complex and quaternion. A name that could be a product (cz, iz, z2) or another name
+// in capitals (Z, I) is refused unless it is declared, and so is a decimal comma.
 //
 // Operators, loosest first: c ? a : b, or (||), and (&&), not (!), comparisons of real numbers,
 // + -, * /, the sign, ^ (from the right; -z^2 is -(z^2)). A number may stand directly before a name
@@ -33,6 +34,7 @@
 // beta, as_printed, shift, and drop of quaternions) come before those of p.
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -43,6 +45,10 @@
 #include "trace/tape.h"
 
 namespace versorium {
+
+namespace formulas {
+struct Expression;  // trace/formula_terms.h
+}
 
 inline constexpr std::size_t kFormulaCharacters = 1000;
 inline constexpr int kFormulaDepth = 64;          // of brackets, signs and exponents in each other
@@ -73,13 +79,15 @@ struct Formula {
     FormulaSpace space = FormulaSpace::complex;
     std::string text;  // in its normal form, which reads back as the same formula
     std::string body;  // the same without the declarations
+    // As a book has it, z² + 2·i·z: how the text was understood.
+    std::string shown;
     std::vector<FormulaParameter> parameters;
     Tape tape;  // parameters component by component
     // Whether it is shape(p). The tape is then that of p, with all parameters.
     bool shape = false;
 
-    // How fast it grows at infinity, |f(z)| ~ |z|^growth: the degree of a polynomial, else 0.
-    int growth = 0;
+    // One expression, or the two of the plane (trace/formula_growth.h reads them).
+    std::shared_ptr<const std::vector<formulas::Expression>> components;
     // Of complex formulas: whether critical points may move with a number of the parameters. A sum
     // with and a product by what does not depend on z leave them where they are.
     std::vector<bool> movesCritical;
@@ -101,10 +109,14 @@ struct FormulaShape {
 Expected<Formula> parseFormula(std::string_view text, FormulaFault* fault = nullptr,
                                const FormulaShape* shape = nullptr);
 
+// A number of this kind as formulas write it, without names: -0.8 + 0.156i, sqrt(2)/2, 16/9.
+Expected<std::array<double, 4>> parseFormulaNumber(std::string_view text, FormulaKind kind);
+
 // The message on one line, then the text, then a ^ below the character.
 std::string withCaret(std::string_view text, const FormulaFault& fault);
 
-// Whether a text can only be meant as a formula: it has an operator, a bracket or a blank.
+// The one judge of whether a text that is no known name is meant as a formula: it reads as one, or
+// it has what names of maps and files lack, such as an operator, a bracket or a blank.
 bool looksLikeFormula(std::string_view text);
 
 }  // namespace versorium

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a formula grows, and what its critical points follow from.
+// What the critical points of a formula follow from.
 #include "trace/formula_recorder.h"
 #include "trace/program.h"
 
@@ -160,40 +160,6 @@ class Polynomial {
 };
 
 }  // namespace
-
-int growthOf(const Expression& expression) {
-    std::vector<int> all;
-    for (const Term& term : expression.terms) {
-        const auto of = [&](int operand) { return all[at(operand)]; };
-        int own = -1;
-        bool constant = term.kind != TermKind::variable;
-        for (int operand : {term.a, term.b, term.c})
-            if (operand >= 0) constant = constant && of(operand) == 0;
-        if (constant)
-            own = 0;
-        else if (term.kind == TermKind::variable)
-            own = 1;
-        else if (term.kind == TermKind::negate)
-            own = of(term.a);
-        else if (term.kind == TermKind::call)
-            own = term.index == static_cast<int>(Function::conj) ? of(term.a) : -1;
-        else if (term.kind == TermKind::divide)
-            own = of(term.b) == 0 ? of(term.a) : -1;
-        else if (term.kind == TermKind::power && of(term.a) >= 0) {
-            const Term& exponent = expression.terms[at(term.b)];
-            const double e = exponent.kind == TermKind::number ? exponent.number : -1;
-            own = e >= 0 && e <= kLargestWholePower && std::floor(e) == e
-                      ? of(term.a) * static_cast<int>(e)
-                      : -1;
-        } else if (term.b >= 0 && of(term.a) >= 0 && of(term.b) >= 0) {
-            if (term.kind == TermKind::add || term.kind == TermKind::subtract)
-                own = std::max(of(term.a), of(term.b));
-            if (term.kind == TermKind::multiply) own = of(term.a) + of(term.b);
-        }
-        all.push_back(std::min(own, 10000));
-    }
-    return all.back();
-}
 
 void findCritical(const Expression& expression, Formula& formula) {
     std::vector<bool> names = followed(expression, formula.parameters.size());

@@ -276,6 +276,17 @@ bool ExpressionParser::parseAtom() {
         return in_.fail(position,
                         "a name has at most " + std::to_string(kNameCharacters) + " characters");
     in_.position += name.size();
+    // The value before, as books write it: z_n.
+    if (name.size() >= 2 && name[1] == '_' &&
+        std::string_view("zqxy").find(name[0]) != std::string_view::npos) {
+        const bool braces = name.size() == 2 && in_.peek() == '{';
+        if (braces && !in_.takeWord("{n}"))
+            return in_.fail(position, "a formula knows the value before, z_n, and none but this");
+        if (braces || name.substr(1) == "_n") {
+            addName(name.substr(0, 1), position);
+            return true;
+        }
+    }
     return parseNamed(name, position);
 }
 
@@ -285,6 +296,14 @@ bool ExpressionParser::parseNamed(const std::string& name, std::size_t position)
     const bool bracket = in_.peek() == '(';
     if (function == kFunctions.end()) {
         if (bracket && name.size() > 1) {
+            std::string small = name;
+            for (char& c : small)
+                if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+            for (const FunctionInfo& info : kFunctions)
+                if (small == info.name)
+                    return in_.fail(
+                        position,
+                        "functions are written in small letters: did you mean " + small + "(…)?");
             std::string all;
             for (const FunctionInfo& info : kFunctions)
                 all += (all.empty() ? "" : ", ") + std::string(info.name);

@@ -23,6 +23,7 @@ class Parser {
                 "a formula has at most " + std::to_string(kFormulaCharacters) + " characters");
         do {
             if (!parseStatement()) return false;
+            if (in_.atDecimalComma()) return in_.refuseDecimalComma();
             if (parsed.statements.size() > 2)
                 return in_.fail(parsed.statements.back().position,
                                 "a map has one component, or the two of the plane");
@@ -31,6 +32,7 @@ class Parser {
             if (in_.atEnd()) break;
             do {
                 if (!parseDeclaration()) return false;
+                if (in_.atDecimalComma()) return in_.refuseDecimalComma();
             } while (in_.take(','));
         }
         in_.skipBlanks();
@@ -42,27 +44,61 @@ class Parser {
         Statement statement;
         in_.skipBlanks();
         statement.position = in_.position;
+        if (!parseHead(statement)) return false;
+        if (!expressions_.parse(statement.expression)) return false;
+        parsed.statements.push_back(std::move(statement));
+        return true;
+    }
+
+    static bool isVariable(const std::string& name) {
+        return name.size() == 1 && std::string_view("zqxy").find(name[0]) != std::string_view::npos;
+    }
+    // z' =, z ->, z :=, f(z) = and z_{n+1} =, each for z, q, x and y; nothing where none stands.
+    bool parseHead(Statement& statement) {
+        const std::size_t start = in_.position;
         const std::string name = in_.peekName();
-        if (name.size() == 1 && std::string_view("zqxy").find(name[0]) != std::string_view::npos) {
-            const std::size_t start = in_.position;
-            ++in_.position;
+        in_.position += name.size();
+        if (isVariable(name)) {
             in_.skipBlanks();
             const std::size_t after = in_.position;
             if (isPrime(in_.peek())) {
                 ++in_.position;
                 if (!in_.take('=')) return in_.expected("\"=\" after " + name + "'");
                 statement.head = name;
-            } else if (in_.takeWord("->") || in_.take(0x2192) || in_.take(0x21a6)) {
+                return true;
+            }
+            if (in_.takeWord("->") || in_.take(0x2192) || in_.take(0x21a6) || in_.takeWord(":=") ||
+                in_.take(0x2190)) {
                 statement.head = name;
-            } else if (in_.peek() == '=' && in_.peek(1) != '=') {
+                return true;
+            }
+            if (in_.peek() == '=' && in_.peek(1) != '=')
                 return in_.fail(after, "write " + name + "' = … for the next value of " + name);
-            } else {
-                in_.position = start;
+        } else if (name.size() == 1 && in_.take('(')) {
+            const std::string argument = in_.peekName();
+            in_.position += argument.size();
+            if (isVariable(argument) && in_.take(')') && takeEquals()) {
+                statement.head = argument;
+                return true;
+            }
+        } else if (name.size() >= 2 && name[1] == '_' && isVariable(name.substr(0, 1))) {
+            const bool next =
+                name.substr(1) == "_n" ? in_.takeWord("+1") || in_.takeWord("+ 1")
+                : name.size() == 2
+                    ? in_.takeWord("{n+1}") || in_.takeWord("{n + 1}") || in_.takeWord("(n+1)")
+                    : false;
+            if (next && takeEquals()) {
+                statement.head = name.substr(0, 1);
+                return true;
             }
         }
-        if (!expressions_.parse(statement.expression)) return false;
-        parsed.statements.push_back(std::move(statement));
+        in_.position = start;
         return true;
+    }
+    bool takeEquals() {
+        in_.skipBlanks();
+        if (in_.peek() == '=' && in_.peek(1) == '=') return false;
+        return in_.takeWord(":=") || in_.take('=');
     }
 
     bool parseDeclaration() {

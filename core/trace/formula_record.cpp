@@ -31,16 +31,12 @@ bool recordFormula(const std::vector<Expression>& components, Formula& formula,
         return false;
     }
     formula.tape = simplified(tape);
+    formula.components = std::make_shared<const std::vector<Expression>>(components);
     if (formula.shape) {
         // Neither a polynomial's growth nor its critical points are left.
         formula.movesCritical.assign(at(tape.parameterSize), true);
         return true;
     }
-    for (const Expression& expression : components) {
-        const int growth = growthOf(expression);
-        formula.growth = growth < 0 || formula.growth < 0 ? -1 : std::max(formula.growth, growth);
-    }
-    formula.growth = std::max(formula.growth, 0);
     if (formula.space == FormulaSpace::complex) findCritical(components[0], formula);
     return true;
 }

@@ -538,8 +538,6 @@ class Recorder {
     std::vector<bool> whole_;
 };
 
-// The degree of a polynomial in the state by its form, or -1.
-int growthOf(const Expression& expression);
 // Which parameters the critical points of a complex formula may follow, and the derivative where it
 // is a polynomial.
 void findCritical(const Expression& expression, Formula& formula);

@@ -72,6 +72,7 @@ bool Scanner::fail(std::size_t where, std::string message) {
 
 bool Scanner::expected(const std::string& what) {
     skipBlanks();
+    if (atDecimalComma()) return refuseDecimalComma();
     const bool end = position >= text_.size();
     return fail(position, what + " is expected, not " +
                               (end ? "the end" : "\"" + utf8(text_[position]) + "\""));
@@ -93,6 +94,10 @@ bool Scanner::takeNumber(double& value) {
         while (isDigit(peek())) word += static_cast<char>(peek()), ++position;
     };
     digits();
+    if (word == "0" && (peek() == 'x' || peek() == 'X' || peek() == 'b' || peek() == 'o') &&
+        isDigit(peek(1)))
+        return fail(start, "numbers are decimal: for a product write 0*" +
+                               std::string(1, static_cast<char>(peek())));
     if (peek() == '.' && !isLetter(peek(1))) {
         word += '.';
         ++position;
@@ -131,8 +136,19 @@ std::string withCaret(std::string_view text, const FormulaFault& fault) {
 }
 
 bool looksLikeFormula(std::string_view text) {
-    return text.find_first_of("^*/+()=<>,; '") != std::string_view::npos ||
-           std::any_of(text.begin(), text.end(), [](char c) { return c & 0x80; });
+    if (text.find_first_of("^*/+()=<>,; '") != std::string_view::npos ||
+        std::any_of(text.begin(), text.end(), [](char c) { return c & 0x80; }))
+        return true;
+    // Minus signs stand in names of maps as well, but not beside a single letter. No name begins
+    // with a digit.
+    if (!text.empty() && (text[0] == '.' || formulas::isDigit(static_cast<unsigned char>(text[0]))))
+        return true;
+    for (std::size_t start = 0; text.size() > 1 && start <= text.size();) {
+        const std::size_t end = std::min(text.find('-', start), text.size());
+        if (end - start == 1) return true;
+        start = end + 1;
+    }
+    return static_cast<bool>(parseFormula(text));
 }
 
 }  // namespace versorium

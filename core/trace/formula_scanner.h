@@ -54,6 +54,16 @@ class Scanner {
     // A number that begins here. False with a fault.
     bool takeNumber(double& value);
 
+    // Whether a comma comes next that stands between digits, as in 0,3.
+    bool atDecimalComma() const {
+        return position > 0 && peek() == ',' && isDigit(text_[position - 1]) && isDigit(peek(1));
+    }
+    bool refuseDecimalComma() {
+        return fail(position,
+                    "decimals are written with a point, as in 0.3; a comma that parts "
+                    "two formulas or numbers has a blank behind it");
+    }
+
     // Both are false, for whoever gives up.
     bool fail(std::size_t where, std::string message);
     bool expected(const std::string& what);  // "… is expected, not …"

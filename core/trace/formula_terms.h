@@ -128,6 +128,8 @@ bool constantOf(const Expression& expression, FormulaSpace space, FormulaKind ki
 std::string_view kindName(FormulaKind kind);
 // The normal form of an expression, with no more brackets than it needs.
 std::string printExpression(const Expression& expression, const Formula& formula);
+// "z² + 2·i·z", or of the plane "x′ = …, y′ = …", without declarations.
+std::string showFormula(const std::vector<Expression>& components, const Formula& formula);
 // That of the declarations, in the order of the parameters.
 std::string printDeclarations(const std::vector<Declaration>& declarations, const Formula& formula);
 

@@ -21,6 +21,41 @@ std::string bracketed(const Printed& printed, int least) {
     return printed.level < least ? "(" + printed.text + ")" : printed.text;
 }
 
+// The digits of a whole exponent, written high; empty for others.
+std::string raised(const Term& term, const std::string& text) {
+    if (term.kind != TermKind::number && term.kind != TermKind::negate) return {};
+    constexpr const char* kDigits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string high;
+    for (char c : text) {
+        if (c == '-' && high.empty())
+            high = "⁻";
+        else if (c >= '0' && c <= '9')
+            high += kDigits[c - '0'];
+        else
+            return {};
+    }
+    return high;
+}
+
+// What is written otherwise in a book than in a line that is typed.
+Printed showTerm(const Term& term, const std::vector<Term>& terms, const std::vector<Printed>& all,
+                 Printed typed) {
+    switch (term.kind) {
+        case TermKind::number:
+            return term.number == kPi ? Printed{"π"} : typed;
+        case TermKind::multiply:
+            return {bracketed(all[at(term.a)], kProduct) + "·" + bracketed(all[at(term.b)], kSign),
+                    kProduct};
+        case TermKind::power:
+            if (const std::string high = raised(terms[at(term.b)], all[at(term.b)].text);
+                !high.empty())
+                return {bracketed(all[at(term.a)], kAtom) + high, kPower};
+            return typed;
+        default:
+            return typed;
+    }
+}
+
 Printed printTerm(const Term& term, const std::vector<Printed>& all, const Formula& formula) {
     const auto left = [&](int least) { return bracketed(all[at(term.a)], least); };
     const auto right = [&](int least) { return bracketed(all[at(term.b)], least); };
@@ -117,6 +152,18 @@ std::string printExpression(const Expression& expression, const Formula& formula
     std::vector<Printed> all;
     for (const Term& term : expression.terms) all.push_back(printTerm(term, all, formula));
     return all.back().text;
+}
+
+std::string showFormula(const std::vector<Expression>& components, const Formula& formula) {
+    std::string shown;
+    for (std::size_t k = 0; k < components.size(); ++k) {
+        std::vector<Printed> all;
+        for (const Term& term : components[k].terms)
+            all.push_back(showTerm(term, components[k].terms, all, printTerm(term, all, formula)));
+        if (components.size() == 2) shown += k == 0 ? "x′ = " : ", y′ = ";
+        shown += formula.shape ? "shape(" + all.back().text + ")" : all.back().text;
+    }
+    return shown;
 }
 
 std::string printDeclarations(const std::vector<Declaration>& declarations,

@@ -157,6 +157,17 @@ TEST(FormulaMap, FindsItsCriticalPoints) {
     }
     // A polynomial of degree 7 has 6, multiple ones counted once.
     EXPECT_EQ(criticalOf("z^7 + z^2 - z + c", {0, 0}).size(), 6u);
+    // Zeros of high order, where the derivative underflows all around.
+    for (const char* power : {"z^60 + c", "z^100 + c", "z^300 + c"}) {
+        const auto only = criticalOf(power, {0.1, 0});
+        ASSERT_EQ(only.size(), 1u) << power;
+        EXPECT_NEAR(only[0][0], 0, 1e-9) << power;
+        EXPECT_NEAR(only[0][1], 0, 1e-9) << power;
+    }
+    // 0 is a pole, infinity goes to c; a Moebius map has no critical point at all.
+    EXPECT_EQ(criticalOf("1/z^2 + c", {0.25, -0.5}),
+              (std::vector<std::array<double, 2>>{{0.25, -0.5}}));
+    EXPECT_TRUE(criticalOf("1/z + c", {0.25, -0.5}).empty());
     // cos z = 0, wherever c is, 0 itself included.
     for (const std::vector<double>& c : {std::vector<double>{1, 0.2}, {-0.3, 2}, {0, 0}}) {
         const auto sine = criticalOf("c*sin(z)", c);

@@ -84,6 +84,65 @@ TEST(AnimationTest, ARecordingReproducesTheHand) {
     EXPECT_FALSE(idle.finish());
 }
 
+// A zoom from the whole set to 1e-8, with the target in its middle at the end.
+TEST(AnimationTest, AZoomKeepsItsTargetInSight) {
+    const Scene scene = sceneOf(*findMap("quadratic"));
+    const double target[2] = {-0.743643887037151, 0.13182590420533};
+    Motion motion;
+    motion.keys.push_back({0, Easing::linear, {}});
+    motion.keys[0].values = {
+        {"slice.center[0]", -0.5}, {"slice.center[1]", 0}, {"slice.height", 3}};
+    motion.keys.push_back({10, Easing::linear, {}});
+    motion.keys[1].values = {
+        {"slice.center[0]", target[0]}, {"slice.center[1]", target[1]}, {"slice.height", 1e-8}};
+    for (Easing easing : {Easing::linear, Easing::smooth}) {
+        motion.keys[0].easing = easing;
+        for (int frame = 0; frame <= 100; ++frame) {
+            const SliceSpec slice = sceneAt({scene, motion}, 0.1 * frame).slice;
+            const double left = (slice.height - 1e-8) / (3 - 1e-8);
+            for (std::size_t k = 0; k < 2; ++k) {
+                const double start = k == 0 ? -0.5 : 0;
+                // Nowhere farther from the middle, in picture heights, than at the beginning.
+                EXPECT_LE(std::abs(slice.centre[k] - target[k]) / slice.height,
+                          std::abs(start - target[k]) / 3 + 1e-7)
+                    << frame;
+                EXPECT_NEAR(slice.centre[k], target[k] + (start - target[k]) * left, 1e-15);
+            }
+        }
+    }
+    // The same where the height has key frames of its own on the way.
+    motion.keys[0].easing = Easing::linear;
+    motion.keys.insert(motion.keys.begin() + 1, KeyFrame{4, Easing::linear, {}});
+    motion.keys[1].values = {{"slice.height", 1e-3}};
+    for (int frame = 0; frame <= 100; ++frame) {
+        const SliceSpec slice = sceneAt({scene, motion}, 0.1 * frame).slice;
+        EXPECT_LE(std::abs(slice.centre[0] - target[0]) / slice.height, 0.2) << frame;
+    }
+    EXPECT_EQ(sceneAt({scene, motion}, 10).slice.centre[0], target[0]);
+}
+
+TEST(AnimationTest, ARecordedZoomIsExactInPictureHeights) {
+    Scene scene = sceneOf(*findMap("quadratic"));
+    const auto moved = [&](double t) {
+        Scene now = scene;
+        now.slice.height = 3 * std::exp2(-4 * t);
+        const double left = now.slice.height / 3 + 0.2 * now.slice.height * std::sin(3 * t);
+        now.slice.centre = {-0.74364388703 + 0.2 * left, 0.1318259042 - 0.13 * left};
+        return now;
+    };
+    Recorder recorder;
+    recorder.begin(moved(0), 0);
+    for (double t = 1.0 / 60; t < 6; t += 1.0 / 60) recorder.take(moved(t), t);
+    const auto motion = recorder.finish();
+    ASSERT_TRUE(motion);
+    EXPECT_LT(motion->keys.size(), 120u);
+    for (double t = 0; t < 5.9; t += 0.0173) {
+        const SliceSpec is = sceneAt({scene, *motion}, t).slice, was = moved(t).slice;
+        for (std::size_t k = 0; k < 2; ++k)
+            EXPECT_LT(std::abs(is.centre[k] - was.centre[k]) / was.height, 0.01) << t;
+    }
+}
+
 TEST(AnimationTest, AsJsonAndBack) {
     const Animation animation = example();
     const Json json = animationToJson(animation);

@@ -406,12 +406,21 @@ struct EscapeKernel {
             State z = loadState(closer, first);
             const R* from = parameters;
             const auto arguments = ArgumentList<ArgumentsOf<M, R>>::take(from, environment);
-            auto inside = squaredNorm(z) <= radius;
+            R norm = squaredNorm(z), previous(T(0));
+            auto inside = norm <= radius;
             R count(T(0));
             for (int i = 0; i < kShort; ++i) {
+                previous = select(inside, norm, previous);
                 z = select(inside, stepWith<M, R>(z, arguments), z);
                 count = select(inside, count + R(T(1)), count);
-                inside = inside & (squaredNorm(z) <= radius);
+                norm = squaredNorm(z);
+                inside = inside & (norm <= radius);
+            }
+            if (batch.previous) {
+                T norms[kWidth];
+                storeLanes(previous, norms);
+                for (int i = 0; first + i < closer.size; ++i)
+                    batch.previous[closer.index[first + i]] = norms[i];
             }
             T last[kD][kWidth], counts[kWidth];
             T* lastRows[kD];

@@ -36,6 +36,14 @@ float logarithm(float x) {
     if (isInfinite(x) && x > 0.0) return x;
     return x > 0.0 ? log(x) : x == 0.0 ? uintBitsToFloat(0xff800000u) : undefinedValue();
 }
+// Growth that is measured along the orbit (fields/evaluate.cpp, measuredStep).
+float measuredStepOf(float n, float norm, float previous) {
+    if (uBoundless || isUndefined(norm) || isInfinite(norm)) return n;
+    float last = log(1.0 + norm);
+    float before = log(1.0 + previous);
+    if (!(before > 0.0) || !(last > before)) return n + 1.0;
+    return n + 1.0 - clamp(log(last / log(1.0 + uSquaredRadius)) / log(last / before), 0.0, 1.0);
+}
 float smoothStepOf(float n, float norm) {
     if (uBoundless || uTwiceLogRadius < 0.0) return n + 1.0;
     // In 32 bits a norm is undefined because it overflowed on the way.
@@ -78,7 +86,10 @@ float fieldOf(int field, vec4 kept, vec4 image) {
     switch (field) {
         case MEMBERSHIP: return escaped ? 0.0 : 1.0;
         case ESCAPE_STEP: return n;
-        case SMOOTH_ESCAPE: return escaped ? smoothStepOf(n, kept.y) : n;
+        case SMOOTH_ESCAPE: 
+            if (!escaped) return n;
+            return uLogDegree > 0.0 || uOnlyLast ? smoothStepOf(n, kept.y)
+                                                 : measuredStepOf(n, kept.y, kept.w);
         case SQUARED_NORM: return kept.y;
         case LOG_MODULUS: return 0.5 * logarithm(kept.y);
         case SOLID: return 0.5 * logarithm(kept.y) < uIso && !isUndefined(kept.y) ? 1.0 : 0.0;

@@ -239,6 +239,8 @@ void main() {
         n += 1.0;
         alive = within(norm);
         float difference = norm - before;
+        // Of an orbit that escapes the norm before takes this place.
+        if (!alive) attraction = before;
         if (alive && attraction == 0.0 && difference * difference < ATTRACTION) attraction = n;
     }
     outFields = vec4(n, norm, alive ? 0.0 : 1.0, attraction);

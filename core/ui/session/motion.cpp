@@ -2,8 +2,8 @@
 #include "ui/session/motion.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "scene/zoom_path.h"
 #include "workspace/workspace.h"
 
 namespace versorium {
@@ -12,10 +12,8 @@ SliceSpec between(const SliceSpec& from, const SliceSpec& to, double t) {
     if (t >= 1 || from.axes != to.axes || from.centre.size() != to.centre.size()) return to;
     const double eased = t <= 0 ? 0 : t * t * (3 - 2 * t);
     SliceSpec place = to;
-    place.height = from.height * std::pow(to.height / from.height, eased);
-    const double whole = from.height - to.height;
-    const double part =
-        std::abs(whole) < 1e-12 * from.height ? eased : (from.height - place.height) / whole;
+    place.height = heightOnTheWay(from.height, to.height, eased);
+    const double part = centreOnTheWay(from.height, to.height, eased);
     for (std::size_t k = 0; k < to.centre.size(); ++k) {
         place.centre[k] = from.centre[k] + (to.centre[k] - from.centre[k]) * part;
         place.centreLow[k] = from.centreLow[k] + (to.centreLow[k] - from.centreLow[k]) * part;
