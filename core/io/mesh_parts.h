@@ -9,12 +9,9 @@
 
 #include "base/status.h"
 #include "geometry/mesh.h"
+#include "io/text_scanner.h"
 
 namespace versorium {
-
-inline std::string_view textOf(std::span<const unsigned char> bytes) {
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
 
 // Refuses a mesh without faces; `format` names the file's kind.
 Status finishMesh(const Mesh& mesh, const char* format);
