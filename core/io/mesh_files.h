@@ -26,5 +26,7 @@ Expected<Mesh> readStl(std::span<const unsigned char> bytes);
 
 // Chooses by content; `name` (a path, may be empty) decides by its extension where that is open.
 Expected<Mesh> readMesh(std::span<const unsigned char> bytes, std::string_view name = {});
+// By content alone.
+bool looksLikeMesh(std::span<const unsigned char> bytes);
 
 }  // namespace versorium

@@ -18,6 +18,12 @@ Status finishMesh(const Mesh& mesh, const char* format);
 
 // True when the length is exactly the one that a binary STL's triangle count asks for.
 bool isBinaryStl(std::span<const unsigned char> bytes);
+// True when the bytes begin as an ASCII STL does, whatever the case of its letters.
+bool isTextStl(std::span<const unsigned char> bytes);
+// True when a line of the text is a vertex of an OBJ file, "v x y z".
+bool isObj(std::span<const unsigned char> bytes);
+// True when the first word is "ply".
+bool isPly(std::span<const unsigned char> bytes);
 
 // Triangles (c₀, cᵢ, cᵢ₊₁) of a polygon; a polygon of fewer than three corners gives none.
 inline void appendFan(const std::vector<std::uint32_t>& corners, Mesh& mesh) {
