@@ -25,10 +25,4 @@ bool isObj(std::span<const unsigned char> bytes);
 // True when the first word is "ply".
 bool isPly(std::span<const unsigned char> bytes);
 
-// Triangles (c₀, cᵢ, cᵢ₊₁) of a polygon; a polygon of fewer than three corners gives none.
-inline void appendFan(const std::vector<std::uint32_t>& corners, Mesh& mesh) {
-    for (std::size_t i = 2; i < corners.size(); ++i)
-        mesh.triangles.push_back({corners[0], corners[i - 1], corners[i]});
-}
-
 }  // namespace versorium

@@ -4,6 +4,7 @@
 // on in the next one. All other lines are skipped.
 #include <cstdint>
 
+#include "geometry/triangulate.h"
 #include "io/mesh_files.h"
 #include "io/mesh_parts.h"
 #include "io/text_scanner.h"
@@ -45,7 +46,7 @@ Status readFace(TextScanner& scanner, std::vector<std::uint32_t>& corners, Mesh&
     if (corners.size() < 3) return fault(scanner, "a face needs at least three corners");
     if (mesh.triangles.size() + corners.size() > kMeshTriangles)
         return fault(scanner, "too many triangles");
-    appendFan(corners, mesh);
+    appendPolygon(corners, mesh);
     return {};
 }
 

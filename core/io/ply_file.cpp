@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "geometry/triangulate.h"
 #include "io/byte_reader.h"
 #include "io/mesh_files.h"
 #include "io/mesh_parts.h"
@@ -293,7 +294,7 @@ Status readFaces(const Element& element, NumberSource& source, Mesh& mesh) {
         }
         if (mesh.triangles.size() + indices.size() > kMeshTriangles)
             return Status::data("the PLY file has too many triangles");
-        appendFan(indices, mesh);
+        appendPolygon(indices, mesh);
     }
     return {};
 }
