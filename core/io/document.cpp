@@ -5,6 +5,8 @@
 #include <cstdlib>
 
 #include "io/files.h"
+#include "io/known_formats.h"
+#include "io/mesh_files.h"
 #include "io/png.h"
 #include "io/root_files.h"
 #include "io/text_scanner.h"
@@ -39,19 +41,12 @@ Json parseValue(const std::string& text) {
     return list.size() == 1 ? list[0] : list;
 }
 
-bool isFileName(const std::string& value) {
-    for (const char* ending :
-         {".obj", ".ply", ".stl", ".f3d", ".field2d", ".grid", ".png", ".jpg", ".jpeg", ".bmp"})
-        if (value.size() > 4 && value.ends_with(ending)) return true;
-    return false;
-}
-
 // The scene's shape, or one that alpha or beta follows.
 Status assignShape(Scene& scene, const std::string& key, const std::string& value) {
     std::string& source = key == "modulation.alpha.shape"  ? scene.alphaOverSpace.shape
                           : key == "modulation.beta.shape" ? scene.betaOverSpace.shape
                                                            : scene.shape.source;
-    if (!isFileName(value)) {
+    if (!namesShapeFile(value)) {
         source = value;
         return {};
     }
@@ -147,7 +142,7 @@ Expected<Document> documentFromJson(const Json& json) {
 }
 
 Expected<Document> documentFromBytes(std::span<const unsigned char> bytes) {
-    const bool png = bytes.size() > 4 && bytes[0] == 0x89 && bytes[1] == 'P';
+    const bool png = isPng(bytes);
     std::string text(bytes.begin(), bytes.end());
     if (png) {
         Expected<std::vector<PngText>> texts = decodePngText(bytes);
@@ -159,6 +154,12 @@ Expected<Document> documentFromBytes(std::span<const unsigned char> bytes) {
             return Status::data(
                 "the PNG carries no scene; only pictures that Versorium wrote have one");
     }
+    if (Status status = foreignFault(bytes); !status.ok()) return status;
+    if (looksLikePicture(bytes) && !png)
+        return Status::data(
+            "this is a picture that carries no scene; only PNGs that Versorium wrote have one");
+    if (looksLikeMesh(bytes))
+        return Status::data("this is a mesh and no scene; a scene takes it by --set shape=FILE");
     Expected<Json> json = parseJson(text);
     if (!json) return json.status();
     return documentFromJson(*json);

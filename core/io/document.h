@@ -2,7 +2,7 @@
 #pragma once
 // What a picture carries and what can be opened: a scene, a plate or an animation, with how it is
 // rendered. As JSON this is {"document": 1, "kind": "scene" | "plate" | "animation", "body": …,
-// "assets": …, "render": …}; one of these alone is a document as well. In a PNG it is the iTXt text
+// "assets": …, "render": …}; one of these alone is a document as well. In a PNG it is the text
 // "versorium".
 
 #include <span>

@@ -6,6 +6,9 @@
 #include <cstring>
 #include <string>
 
+#include "io/exif.h"
+#include "io/known_formats.h"
+
 // Only what is needed of stb_image, and nothing that touches files or has a global name.
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
@@ -26,6 +29,14 @@
 #endif
 
 namespace versorium {
+namespace {
+
+Status unreadable(std::span<const unsigned char> bytes) {
+    if (Status status = foreignFault(bytes); !status.ok()) return status;
+    return Status::data("not a picture that can be read here; PNG, JPEG and BMP can");
+}
+
+}  // namespace
 
 Expected<Raster<unsigned char>> readImage(std::span<const unsigned char> bytes) {
     if (bytes.size() > INT_MAX)
@@ -34,7 +45,7 @@ Expected<Raster<unsigned char>> readImage(std::span<const unsigned char> bytes) 
     const int length = static_cast<int>(bytes.size());
     int width = 0, height = 0, channels = 0;
     if (bytes.empty() || !stbi_info_from_memory(bytes.data(), length, &width, &height, &channels))
-        return Status::data("not a picture that can be read here; PNG, JPEG and BMP can");
+        return unreadable(bytes);
     const bool sane = width > 0 && height > 0 && width <= kImageSide && height <= kImageSide;
     if (!sane || static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > kImagePixels)
         return Status::data("the picture claims " + std::to_string(width) + " × " +
@@ -56,7 +67,7 @@ Expected<Raster<unsigned char>> readImage(std::span<const unsigned char> bytes) 
     Raster<unsigned char> image({width, height}, 4);
     std::memcpy(image.values().data(), pixels, image.values().size());
     stbi_image_free(pixels);
-    return image;
+    return upright(std::move(image), exifOrientation(bytes));
 }
 
 Raster<unsigned char> shapeMask(const Raster<unsigned char>& image, const MaskOptions& options) {
@@ -68,7 +79,9 @@ Raster<unsigned char> shapeMask(const Raster<unsigned char>& image, const MaskOp
                                      0.0722 * image.at(x, y, 2);
             const double alpha = image.at(x, y, 3) / 255.0;
             const double shown = lightness / 255.0 * alpha + (1.0 - alpha);
-            mask.at(x, y) = (shown < options.threshold) != options.invert ? 1 : 0;
+            const bool inside =
+                options.byAlpha ? alpha >= options.threshold : shown < options.threshold;
+            mask.at(x, y) = inside != options.invert ? 1 : 0;
         }
     return mask;
 }

@@ -104,6 +104,19 @@ std::string foreignFormat(std::span<const unsigned char> bytes) {
     return {};
 }
 
+Status foreignFault(std::span<const unsigned char> bytes) {
+    const std::string format = foreignFormat(bytes);
+    if (format.empty()) return {};
+    std::string advice = "; no command reads it";
+    const auto has = [&](std::string_view word) { return format.find(word) != std::string::npos; };
+    if (has("picture") || has("drawing")) advice = "; save it as PNG";
+    if (has("archive")) advice = "; unpack it first";
+    for (const std::string_view mesh : {"glTF"sv, "FBX"sv, "Blender"sv, "STEP"sv, "VRML"sv, "X3D"sv,
+                                        "OFF"sv, "COLLADA"sv, "AMF"sv, "VTK"sv})
+        if (has(mesh)) advice = "; export the mesh as OBJ, PLY or STL";
+    return Status::data("this is " + format + ", which is not read here" + advice);
+}
+
 bool hasEnding(std::string_view name, std::initializer_list<std::string_view> endings) {
     for (const std::string_view ending : endings)
         if (name.size() > ending.size() &&
@@ -118,7 +131,10 @@ bool namesPicture(std::string_view name) {
     return hasEnding(name, {".png", ".jpg", ".jpeg", ".jpe", ".bmp"});
 }
 bool namesShapeFile(std::string_view name) {
-    return namesMesh(name) || namesGrid(name) || namesPicture(name);
+    return namesMesh(name) || namesGrid(name) || namesPicture(name) ||
+           hasEnding(name, {".gif", ".webp", ".svg", ".tif", ".tiff", ".heic", ".avif", ".psd",
+                            ".gltf", ".glb", ".fbx", ".off", ".3mf", ".dae", ".blend", ".step",
+                            ".stp", ".wrl", ".x3d"});
 }
 
 }  // namespace versorium

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/status.h"
+
 namespace versorium {
 
 // PNG, JPEG or BMP, the pictures that are read here.
@@ -16,6 +18,8 @@ bool isPng(std::span<const unsigned char> bytes);
 
 // "a GIF picture", "a glTF file": a known format that nothing here reads; empty for all else.
 std::string foreignFormat(std::span<const unsigned char> bytes);
+// "this is a GIF picture, which is not read here; save it as PNG". Ok where it is none of them.
+Status foreignFault(std::span<const unsigned char> bytes);
 
 // Whether a name ends so, whatever the case of its letters; endings are in small ones.
 bool hasEnding(std::string_view name, std::initializer_list<std::string_view> endings);
@@ -24,7 +28,7 @@ bool hasEnding(std::string_view name, std::initializer_list<std::string_view> en
 bool namesMesh(std::string_view name);
 bool namesGrid(std::string_view name);
 bool namesPicture(std::string_view name);
-// Any of these three.
+// Any of these three, or a format that is refused by its name.
 bool namesShapeFile(std::string_view name);
 
 }  // namespace versorium

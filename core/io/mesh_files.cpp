@@ -17,9 +17,7 @@ Expected<Mesh> readMesh(std::span<const unsigned char> bytes, std::string_view n
     if (isPly(bytes)) return readPly(bytes);
     if (isBinaryStl(bytes) || isTextStl(bytes)) return readStl(bytes);
     if (isObj(bytes)) return readObj(bytes);
-    if (const std::string format = foreignFormat(bytes); !format.empty())
-        return Status::data("this is " + format +
-                            ", which is not read here; export the mesh as OBJ, PLY or STL");
+    if (Status status = foreignFault(bytes); !status.ok()) return status;
     if (hasEnding(name, {".obj"})) return readObj(bytes);
     if (hasEnding(name, {".ply"})) return readPly(bytes);
     if (hasEnding(name, {".stl"})) return readStl(bytes);

@@ -9,12 +9,14 @@
 #include "io/grid_files.h"
 #include "io/image_files.h"
 #include "io/mesh_files.h"
+#include "io/shape_file_kind.h"
 #include "render/root_region.h"
 #include "render/shape_profile.h"
 #include "scene/numbers.h"
 #include "scene/shape_name.h"
 #include "shape/image_distance.h"
 #include "shape/mesh_distance.h"
+#include "shape/mesh_report.h"
 #include "shape/outline.h"
 
 namespace versorium {
@@ -23,25 +25,6 @@ namespace {
 constexpr std::string_view kMeshes = "meshes/", kAsset = "asset:";
 // An outline's grid has no third side, so it may be so much finer than a mesh's.
 constexpr int kOutlineNodes = 4;
-
-bool endsWith(const std::string& name, std::string_view ending) {
-    if (name.size() < ending.size()) return false;
-    for (std::size_t i = 0; i < ending.size(); ++i) {
-        char c = name[name.size() - ending.size() + i];
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-        if (c != ending[i]) return false;
-    }
-    return true;
-}
-
-bool isGridName(const std::string& name) {
-    return endsWith(name, ".f3d") || endsWith(name, ".field2d") || endsWith(name, ".grid");
-}
-
-bool isPictureName(const std::string& name) {
-    return endsWith(name, ".png") || endsWith(name, ".jpg") || endsWith(name, ".jpeg") ||
-           endsWith(name, ".bmp");
-}
 
 std::string meshFile(const Scene& scene) {
     return std::string(kMeshes) + scene.shape.source + ".obj";
@@ -64,7 +47,9 @@ Expected<NamedBytes> shapeFile(const Scene& scene) {
 // All that a grid follows from.
 std::string gridKey(const Scene& scene) {
     return scene.shape.source + "/" + std::to_string(scene.shape.resolution) + "/" +
-           formatNumber(scene.shape.padding) + (scene.shape.zFastest ? "/z" : "/x");
+           formatNumber(scene.shape.padding) + (scene.shape.zFastest ? "/z" : "/x") + "/" +
+           formatNumber(scene.shape.threshold) + (scene.shape.byAlpha ? "a" : "l") +
+           (scene.shape.invert ? "i" : "");
 }
 
 // A scene of the same map with that shape, without all that its grid does not follow from.
@@ -236,25 +221,53 @@ double automaticRadius(const Scene& scene) {
     return std::max(info.escapeRadius, (1 + std::sqrt(1 + 4 * std::sqrt(square))) / 2);
 }
 
-Expected<Grid> gridFromBytes(std::span<const unsigned char> bytes, const std::string& name,
-                             const ShapeSpec& spec, Job& job) {
-    if (isGridName(name)) return readGrid(bytes, {.zFastest = spec.zFastest});
-    if (isPictureName(name)) {
-        Expected<Raster<unsigned char>> image = readImage(bytes);
-        if (!image) return image.status();
-        return imageDistance(shapeMask(*image), job);
-    }
-    Expected<Mesh> mesh = readMesh(bytes, name);
-    if (!mesh) return mesh.status();
+namespace {
+
+Expected<Grid> gridOfPicture(std::span<const unsigned char> bytes, const ShapeSpec& spec,
+                             Job& job) {
+    Expected<Raster<unsigned char>> image = readImage(bytes);
+    if (!image) return image.status();
+    const Raster<unsigned char> mask =
+        shapeMask(*image, {spec.threshold, spec.invert, spec.byAlpha});
+    const auto& values = mask.values();
+    const bool inside = values[0] != 0;
+    if (std::all_of(values.begin(), values.end(),
+                    [&](unsigned char value) { return (value != 0) == inside; }))
+        return Status::data(
+            std::string("nothing of the picture is ") + (inside ? "outside" : "inside") +
+            " where " + (spec.byAlpha ? "opacity" : "lightness") + " at " +
+            formatNumber(spec.threshold) +
+            " decides; take another shape.threshold from 0 to 1, shape.invert=true for a light "
+            "figure, or shape.by_alpha=true for one on a transparent ground");
+    return imageDistance(mask, job);
+}
+
+Expected<Grid> gridOfMesh(const Mesh& mesh, const ShapeSpec& spec, Job& job) {
     Expected<MeshDistance> made =
-        meshDistance(*mesh, {.resolution = spec.resolution, .padding = spec.padding}, job);
+        meshDistance(mesh, {.resolution = spec.resolution, .padding = spec.padding}, job);
     if (!made) return made.status();
     const std::vector<double>& values = made->grid.values;
     if (std::none_of(values.begin(), values.end(), [](double phi) { return phi < 0; }))
         return Status::data(
             "the mesh encloses nothing that its grid sees: it is open, or thinner than a cell; "
             "close it, or raise shape.resolution");
+    if (made->uncertainNodes > 0)
+        job.warn(std::to_string(made->uncertainNodes) + " of " + std::to_string(values.size()) +
+                 " nodes of the mesh's grid have an uncertain side, near holes or turned faces");
     return std::move(made->grid);
+}
+
+}  // namespace
+
+Expected<Grid> gridFromBytes(std::span<const unsigned char> bytes, const std::string& name,
+                             const ShapeSpec& spec, Job& job) {
+    const ShapeFileKind kind = shapeFileKindOf(bytes, name);
+    if (kind == ShapeFileKind::grid) return readGrid(bytes, {.zFastest = spec.zFastest});
+    if (kind == ShapeFileKind::picture) return gridOfPicture(bytes, spec, job);
+    Expected<Mesh> mesh = readMesh(bytes, name);
+    if (!mesh) return mesh.status();
+    for (const std::string& text : warningsOf(reportOf(*mesh))) job.warn(text);
+    return gridOfMesh(*mesh, spec, job);
 }
 
 namespace {
@@ -267,8 +280,12 @@ Expected<Grid> gridOf(const Scene& scene, Job& job) {
     }
     Expected<NamedBytes> file = shapeFile(scene);
     if (!file) return file.status();
-    Expected<Grid> made = gridFromBytes(file->bytes, file->name, scene.shape, job);
+    Job own(job.threads());  // its warnings get the file's name; a built-in mesh gives none
+    own.onProgress = job.onProgress;
+    Expected<Grid> made = gridFromBytes(file->bytes, file->name, scene.shape, own);
     if (!made) return made.status().in(file->name);
+    if (scene.shape.source.starts_with(kAsset))
+        for (const std::string& text : own.warnings()) job.warn(file->name + ": " + text);
     return made;
 }
 
@@ -313,7 +330,9 @@ Expected<std::shared_ptr<DistanceField>> Binder::field(const Scene& scene, Job& 
     }
     Expected<std::shared_ptr<const Grid>> made = grid(scene, job);
     if (!made) return made.status();
-    const bool stored = !isOutline(scene.shape.source) && isGridName(shapeFile(scene)->name);
+    const bool stored =
+        !isOutline(scene.shape.source) &&
+        shapeFileKindOf(shapeFile(scene)->bytes, shapeFile(scene)->name) == ShapeFileKind::grid;
     const Outside outside =
         scene.shape.outside.value_or(stored ? Outside::border : Outside::distance);
     return std::make_shared<DistanceField>(*made, outside);

@@ -335,6 +335,19 @@ const PropertyTable<TrapSpec>& trapTable() {
     return table;
 }
 
+namespace {
+
+// Not written where it is as it is in every other scene.
+template <class Member>
+Property<ShapeSpec> unlessHome(Property<ShapeSpec> property, Member ShapeSpec::*member) {
+    property.omitted = [member](const ShapeSpec& spec) {
+        return spec.*member == ShapeSpec{}.*member;
+    };
+    return property;
+}
+
+}  // namespace
+
 const PropertyTable<ShapeSpec>& shapeTable() {
     static const PropertyTable<ShapeSpec> table{
         textOf(&ShapeSpec::source,
@@ -372,6 +385,29 @@ const PropertyTable<ShapeSpec>& shapeTable() {
         toggleOf(&ShapeSpec::zFastest, {.path = "z_fastest",
                                         .label = trLater("z first"),
                                         .help = trLater("A loaded .f3d file runs along z first.")}),
+        unlessHome(numberOf(&ShapeSpec::threshold,
+                            {.path = "threshold",
+                             .label = trLater("threshold"),
+                             .help = trLater("Of a picture: inside is what is darker than this "
+                                             "share of white, or at least as opaque."),
+                             .low = 0,
+                             .high = 1,
+                             .sliderLow = 0,
+                             .sliderHigh = 1,
+                             .step = 0.05}),
+                   &ShapeSpec::threshold),
+        unlessHome(toggleOf(&ShapeSpec::byAlpha,
+                            {.path = "by_alpha",
+                             .label = trLater("by opacity"),
+                             .help = trLater("Of a picture: inside is what is opaque, whatever "
+                                             "its colour.")}),
+                   &ShapeSpec::byAlpha),
+        unlessHome(toggleOf(&ShapeSpec::invert,
+                            {.path = "invert",
+                             .label = trLater("inverted"),
+                             .help = trLater("Of a picture: inside is what is light, or "
+                                             "transparent.")}),
+                   &ShapeSpec::invert),
     };
     return table;
 }

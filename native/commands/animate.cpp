@@ -13,6 +13,7 @@
 
 #include "commands/commands.h"
 #include "io/files.h"
+#include "io/known_formats.h"
 #include "io/png.h"
 #include "render/movie.h"
 
@@ -32,7 +33,7 @@ struct AnimateRequest {
 
 bool isFilm(const std::string& name) {
     for (const char* ending : kFilms)
-        if (name.ends_with(ending)) return true;
+        if (hasEnding(name, {ending})) return true;
     return false;
 }
 
@@ -152,7 +153,7 @@ Status encode(const Movie& movie, const std::string& encoder, const std::string&
 
 Expected<Movie> movieOf(const AnimateRequest& request) {
     const bool file = request.file == "-" || request.file.find('/') != std::string::npos ||
-                      request.file.ends_with(".json");
+                      hasEnding(request.file, {".json", ".png"});
     if (!file) return animationNamed(request.file);
     Expected<Document> document = readDocument(request.file);
     if (!document) return document.status();

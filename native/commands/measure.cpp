@@ -140,6 +140,7 @@ Status printOrbit(const OrbitRequest& request) {
         scene.start[k] = request.at[k];
     }
     Job job(1);
+    sayWarnings(job);
     CpuRenderer renderer;
     Expected<OrbitProgram> program = renderer.binder().bind(scene, job);
     if (!program) return program.status();

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 
+#include "io/known_formats.h"
+
 namespace versorium {
 namespace {
 
 bool looksLikeFile(const std::string& what) {
-    if (what == "-" || what.ends_with(".json") || what.ends_with(".png")) return true;
+    if (what == "-" || hasEnding(what, {".json", ".png"})) return true;
     return what.find('/') != std::string::npos && !FormulaMap::make(what);
 }
 

@@ -81,6 +81,7 @@ Status makeRoots(RootsRequest request, int threads) {
     Expected<Scene> with = sceneFromJson(json);
     if (!with) return Status::usage(with.status().message());
     Job job(threads);
+    sayWarnings(job);
     Binder binder;
     Expected<OrbitProgram> program = binder.bind(*with, job);
     if (!program) return program.status();
@@ -111,6 +112,7 @@ Status writeProfile(const ProfileRequest& request, int threads) {
     Expected<OpenedScene> opened = openScene(request.source);
     if (!opened) return opened.status();
     Job job(threads);
+    sayWarnings(job);
     Binder binder;
     Expected<RadialProfile> profile =
         shapeProfile(binder, opened->scene, request.to, request.radii, job);
