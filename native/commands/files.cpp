@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "io/files.h"
+#include <cstdio>
+
 #include "base/embedded.h"
 #include "commands/commands.h"
 #include "io/document.h"
+#include "io/files.h"
 #include "io/grid_files.h"
 #include "io/known_formats.h"
 #include "render/bind.h"
@@ -86,6 +88,7 @@ Status makeGrid(const ShapeRequest& request, int threads) {
 Status printScene(const std::string& path) {
     Expected<Document> document = readDocument(path);
     if (!document) return document.status();
+    if (!document->note.empty()) std::fprintf(stderr, "versorium: %s\n", document->note.c_str());
     return print(printJson(documentToJson(*document)));
 }
 

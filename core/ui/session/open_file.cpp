@@ -5,10 +5,12 @@
 #include <cctype>
 
 #include "io/document.h"
+#include "io/foreign_views.h"
 #include "io/grid_files.h"
 #include "io/image_files.h"
 #include "io/known_formats.h"
 #include "io/mesh_files.h"
+#include "io/palette_files.h"
 #include "io/root_files.h"
 #include "io/shape_file_kind.h"
 #include "plate/plate_picture.h"
@@ -41,13 +43,16 @@ Status openDocument(StudioContext& context, const std::string& name, const Docum
     Expected<Scene> scene = sceneWithAssets(document.body, document.assets);
     if (!scene) return scene.status();
     context.open(workspaceOf(*scene));
-    context.say(tr("Opened {1}", {name}));
+    context.say(tr("Opened {1}", {name}) +
+                (document.note.empty() ? "" : ". " + trMessage(document.note)));
     return {};
 }
 
-Status takePalette(StudioContext& context, const std::string& name, const Json& json) {
-    const Expected<Palette> palette = paletteFromJson(json);
-    if (!palette) return palette.status();
+Status takePalette(StudioContext& context, const std::string& name,
+                   std::span<const unsigned char> bytes) {
+    const Expected<PaletteFile> file = readPaletteFile(bytes, name);
+    if (!file) return file.status();
+    const Palette* palette = &file->palette;
     context.edit([&](Workspace& w) {
         Colouring& colour = w.view().colour;
         colour.palette = palette->name();
@@ -55,7 +60,8 @@ Status takePalette(StudioContext& context, const std::string& name, const Json& 
         if (colour.rule != ColourRule::phase && colour.rule != ColourRule::domain)
             colour.rule = ColourRule::palette;
     });
-    context.say(tr("{1} is the palette of the focused view", {name}));
+    context.say(tr("{1} is the palette of the focused view", {name}) +
+                (file->note.empty() ? "" : ". " + trMessage(file->note)));
     return {};
 }
 
@@ -202,10 +208,15 @@ Status takeLayer(StudioContext& context, const std::string& name,
     return {};
 }
 
+std::span<const unsigned char> bytesOf(const std::string& text) {
+    return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
+}
+
 Status openJson(StudioContext& context, const std::string& name, const std::string& text) {
     Expected<Json> json = parseJson(text);
     if (!json) return json.status();
-    if (json->is_object() && json->contains("stops")) return takePalette(context, name, *json);
+    if (json->is_object() && json->contains("stops"))
+        return takePalette(context, name, bytesOf(text));
     if (json->is_object() && json->contains("roots") && !json->contains("map")) {
         const Expected<RootList> roots = readRootsJson(text);
         return roots ? takeRoots(context, name, *roots) : roots.status();
@@ -233,6 +244,14 @@ Status openAny(StudioContext& context, const std::string& name,
     }
     const std::string text(bytes.begin(), bytes.end());
     if (hasEnding(name, {".md"})) return openLessonFile(context, name, text);
+    if (looksLikeForeignView(bytes)) {
+        const Expected<Document> document = documentFromBytes(bytes);
+        return document ? openDocument(context, name, *document) : document.status();
+    }
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    if (first != std::string::npos && text[first] != '{' && looksLikePalette(bytes))
+        return takePalette(context, name, bytes);
+    if (Status status = foreignFault(bytes); !status.ok()) return status;
     return openJson(context, name, text);
 }
 
@@ -259,7 +278,8 @@ Status openPlate(StudioContext& context, const std::string& name, const PlateDoc
 }
 
 bool mayOpen(const std::string& name) {
-    return namesShapeFile(name) || hasEnding(name, {".json", ".p4d", ".md"});
+    return namesShapeFile(name) || namesPalette(name) ||
+           hasEnding(name, {".json", ".p4d", ".md", ".xpf", ".par", ".kfr"});
 }
 
 Status openBytes(StudioContext& context, const std::string& path,
@@ -302,6 +322,8 @@ Status openText(StudioContext& context, const std::string& given) {
         const std::string where = tr("the clipboard");
         return openJson(context, where, text).in(where);
     }
+    if (looksLikePalette(bytesOf(text)))
+        return takePalette(context, tr("the clipboard"), bytesOf(text));
     if (text.starts_with("file://")) return openFile(context, text.substr(7));
     if (text[0] == '/' && text.find('\n') == std::string::npos) return openFile(context, text);
     if (looksLikeFormula(text) && FormulaMap::make(text)) {
