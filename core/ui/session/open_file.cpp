@@ -278,7 +278,8 @@ Status openPlate(StudioContext& context, const std::string& name, const PlateDoc
 }
 
 bool mayOpen(const std::string& name) {
-    return namesShapeFile(name) || namesPalette(name) ||
+    // A .txt may be anything, so it is not offered, though a list of colours opens from one.
+    return namesShapeFile(name) || (namesPalette(name) && !hasEnding(name, {".txt"})) ||
            hasEnding(name, {".json", ".p4d", ".md", ".xpf", ".par", ".kfr"});
 }
 
