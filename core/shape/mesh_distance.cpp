@@ -11,7 +11,8 @@
 namespace versorium {
 namespace {
 
-constexpr int kBlock = 16;  // nodes along a side of the blocks that threads take
+constexpr double kOnSurface = 1e-9;  // nearer nodes lie on it but for rounding
+constexpr int kBlock = 16;           // nodes along a side of the blocks that threads take
 
 Status checkOptions(const MeshDistanceOptions& options) {
     if (options.resolution < 2 || options.resolution > kMeshDistanceNodes)
@@ -127,7 +128,9 @@ class BlockSampler {
     void decide(const glm::ivec3& node) {
         const glm::dvec3 point = placeOf(node);
         const double winding = field_.windingNumber(point);
-        uncertain_ += winding > 0.25 && winding < 0.75 ? 1 : 0;
+        // A node on the surface belongs to neither side.
+        const bool off = grid_.at(node.x, node.y, node.z) > kOnSurface;
+        uncertain_ += off && winding > 0.25 && winding < 0.75 ? 1 : 0;
         const signed char sign = winding > 0.5 ? -1 : 1;
         signOf(node) = sign;
         // A little less, so that rounding decides nothing.

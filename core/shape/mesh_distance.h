@@ -34,7 +34,7 @@ struct MeshDistance {
     bool turned = false;               // the mesh had its inside out
     std::size_t droppedTriangles = 0;  // without area
     // Nodes whose winding number lies between ¼ and ¾: near a hole, or between turned faces, where
-    // nobody can say what is inside.
+    // nobody can say what is inside. Those on the surface do not count.
     std::size_t uncertainNodes = 0;
 };
 

@@ -99,6 +99,7 @@ void addFileCommands(CommandLine& line) {
         "shape", "Turn a mesh, a picture or an analytic shape into a grid of signed distances.",
         "  versorium shape dragon.ply -o dragon.f3d --resolution 150\n"
         "  versorium shape bunny -o bunny.f3d\n"
+        "  versorium shape logo.png -o logo.grid --by-alpha\n"
         "  versorium shape \"smooth_union(0.05, sphere(0.3), box(0.1, 0.4, 0.1))\" -o s.f3d\n"
         "  versorium shape \"polygon(-0.4, -0.3, 0.4, -0.3, 0, 0.5)\" -o triangle.grid\n"
         "The grid's box is exactly [-1/2, 1/2]^3: a mesh is centred and scaled to fit it. Scenes\n"

@@ -12,8 +12,8 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     const std::span<const unsigned char> bytes(data, size);
     for (const bool zFastest : {false, true})
         if (const Expected<Grid> grid = readGrid(bytes, {.zFastest = zFastest})) {
-            const Expected<Grid> again = readGrid(writeGrid(*grid, {.zFastest = zFastest}),
-                                                  {.zFastest = zFastest});
+            const Expected<Grid> again =
+                readGrid(writeGrid(*grid, {.zFastest = zFastest}), {.zFastest = zFastest});
             if (!again || again->values != grid->values) __builtin_trap();
         }
     (void)unpackGrid(bytes);

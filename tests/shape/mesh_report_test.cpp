@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/triangulate.h"
 #include "jobs/job.h"
 #include "shape/mesh_distance.h"
 #include "shape/test_meshes.h"
@@ -55,10 +56,21 @@ TEST(MeshReport, CornersAtOnePlaceAreOne) {
     EXPECT_TRUE(reportOf(loose).sound());
 }
 
+Mesh boxMesh() {
+    Mesh mesh;
+    for (int k = 0; k < 8; ++k) mesh.vertices.emplace_back(k & 1, k >> 1 & 1, k >> 2);
+    const std::uint32_t sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                       {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (const auto& side : sides) appendPolygon(side, mesh);
+    return mesh;
+}
+
 TEST(MeshReport, OnlyDoubtfulMeshesHaveUncertainNodes) {
     Job job(1);
     Mesh mesh = icosphere(2);
     EXPECT_EQ(meshDistance(mesh, {.resolution = 24}, job)->uncertainNodes, 0u);
+    // A box whose sides run through nodes of the grid.
+    EXPECT_EQ(meshDistance(boxMesh(), {.resolution = 33, .padding = 4}, job)->uncertainNodes, 0u);
     // A third of the faces turned.
     for (std::size_t i = 0; i < mesh.triangles.size() / 3; ++i)
         std::swap(mesh.triangles[i][0], mesh.triangles[i][1]);
