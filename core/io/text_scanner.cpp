@@ -95,6 +95,19 @@ std::string_view withoutMark(std::string_view text) {
     return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
 }
 
+std::string withLineFeeds(std::string_view text) {
+    text = withoutMark(text);
+    std::string result;
+    result.reserve(text.size());
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != '\r')
+            result += text[i];
+        else if (i + 1 == text.size() || text[i + 1] != '\n')
+            result += '\n';
+    }
+    return result;
+}
+
 Status checkText(std::string_view text) {
     using namespace std::string_view_literals;
     if (text.starts_with("\xff\xfe"sv) || text.starts_with("\xfe\xff"sv) ||

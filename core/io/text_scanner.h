@@ -27,6 +27,8 @@ inline std::string_view textOf(std::span<const unsigned char> bytes) {
 }
 // Without the byte order mark of UTF-8.
 std::string_view withoutMark(std::string_view text);
+// The same with a line feed at the end of every line, whatever it was.
+std::string withLineFeeds(std::string_view text);
 // Refuses what cannot be text of bytes: UTF-16 and UTF-32 by their byte order marks, and zeros.
 Status checkText(std::string_view text);
 // ASCII letters made small; others stay.

@@ -134,11 +134,11 @@ Status encode(const Movie& movie, const std::string& encoder, const std::string&
                                    "1",
                                    "-i",
                                    folder + "/frame-%05d.png"};
-    if (film.ends_with(".mp4") || film.ends_with(".mov") || film.ends_with(".mkv"))
+    if (hasEnding(film, {".mp4", ".mov", ".mkv"}))
         for (const char* word : {"-c:v", "libx264", "-preset", "slow", "-crf", "16"})
             words.emplace_back(word);
     // Colour at half the resolution needs sides that are even.
-    if (!film.ends_with(".gif"))
+    if (!hasEnding(film, {".gif"}))
         for (const char* word : {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"})
             words.emplace_back(word);
     words.push_back(partial);
@@ -178,7 +178,7 @@ Expected<Movie> openMovie(const AnimateRequest& request) {
 }
 
 Status animate(const AnimateRequest& request, int threads) {
-    const bool film = isFilm(request.output), archive = request.output.ends_with(".zip");
+    const bool film = isFilm(request.output), archive = hasEnding(request.output, {".zip"});
     Expected<Movie> movie = openMovie(request);
     if (!movie) return movie.status();
     const Size size = pictureSize(movie->animation.scene, movie->options);

@@ -5,6 +5,7 @@
 #include "commands/open.h"
 #include "fields/ensemble.h"
 #include "io/files.h"
+#include "io/known_formats.h"
 #include "io/root_files.h"
 #include "plate/plate_picture.h"
 #include "render/shape_profile.h"
@@ -88,7 +89,7 @@ Status makeRoots(RootsRequest request, int threads) {
     const RandomRoots& options = program->ensemble->roots;
     if (!request.output.empty()) {
         const RootList roots = randomRoots(options, request.seed);
-        const Status status = request.output.ends_with(".p4d")
+        const Status status = hasEnding(request.output, {".p4d"})
                                   ? writeFileAtomically(request.output, writeRootsBinary(roots))
                                   : writeFileAtomically(request.output, writeRootsJson(roots));
         if (!status.ok()) return status;
