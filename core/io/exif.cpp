@@ -61,7 +61,7 @@ int orientationOfJpeg(ExifBytes bytes) {
 int orientationOfPng(ExifBytes bytes) {
     ByteReader reader(bytes, true);
     reader.skip(8);
-    while (reader.remaining() >= 12) {
+    while (!reader.failed() && reader.remaining() >= 12) {
         const auto length = reader.read<std::uint32_t>();
         const std::string_view type = textOf(bytes).substr(reader.position(), 4);
         reader.skip(4);

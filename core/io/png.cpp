@@ -283,6 +283,8 @@ Expected<std::vector<PngText>> decodePngText(View bytes) {
         Expected<PngText> text =
             type == "iTXt" ? readText(data) : readLatinText(data, type == "zTXt");
         if (!text) return text.status();
+        // Some programs end a text with a zero.
+        text->text.resize(std::min(text->text.find('\0'), text->text.size()));
         texts.push_back(*std::move(text));
         return {};
     });

@@ -91,6 +91,10 @@ TEST(Exif, IsFoundInJpegAndPngOfBothByteOrders) {
                 (void)exifOrientation(std::span(jpeg).first(cut));
             for (std::size_t cut = 0; cut < png.size(); ++cut)
                 (void)exifOrientation(std::span(png).first(cut));
+            // A chunk that leaves no room for its checksum.
+            png[11] = static_cast<unsigned char>(exif.size() + 1);
+            png[12] = 'x';
+            EXPECT_EQ(exifOrientation(png), 1);
         }
 }
 
