@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/glsl/colour_shader.h"
 
+#include "colour/rules.h"
 #include "colour/scale.h"
 #include "fields/field_names.h"
 #include "render/glsl/shader.h"
