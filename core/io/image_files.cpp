@@ -9,6 +9,15 @@
 #include "io/exif.h"
 #include "io/known_formats.h"
 
+namespace {
+
+// An IDAT chunk without bytes makes stb_image copy nothing to nowhere, which memcpy forbids.
+inline void* copyBytes(void* to, const void* from, std::size_t count) {
+    return count == 0 ? to : std::memcpy(to, from, count);
+}
+
+}  // namespace
+
 // Only what is needed of stb_image, and nothing that touches files or has a global name.
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
@@ -23,7 +32,9 @@
 #pragma GCC diagnostic ignored "-Wunused-function"
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 #endif
+#define memcpy copyBytes
 #include <stb/stb_image.h>
+#undef memcpy
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop
 #endif
