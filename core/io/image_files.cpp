@@ -7,7 +7,9 @@
 #include <string>
 
 #include "io/exif.h"
+#include "io/jpeg_segments.h"
 #include "io/known_formats.h"
+#include "io/text_scanner.h"
 
 namespace {
 
@@ -49,7 +51,15 @@ Status unreadable(std::span<const unsigned char> bytes) {
 
 }  // namespace
 
-Expected<Raster<unsigned char>> readImage(std::span<const unsigned char> bytes) {
+Expected<Raster<unsigned char>> readImage(std::span<const unsigned char> given) {
+    std::span<const unsigned char> bytes = given;
+    std::vector<unsigned char> jpeg;
+    if (textOf(given).starts_with("\xff\xd8")) {
+        Expected<std::vector<unsigned char>> checked = checkedJpeg(given);
+        if (!checked) return checked.status();
+        jpeg = *std::move(checked);
+        bytes = jpeg;
+    }
     if (bytes.size() > INT_MAX)
         return Status::data("the picture has " + std::to_string(bytes.size()) +
                             " bytes; at most 2 GiB are read");
@@ -78,7 +88,7 @@ Expected<Raster<unsigned char>> readImage(std::span<const unsigned char> bytes) 
     Raster<unsigned char> image({width, height}, 4);
     std::memcpy(image.values().data(), pixels, image.values().size());
     stbi_image_free(pixels);
-    return upright(std::move(image), exifOrientation(bytes));
+    return upright(std::move(image), exifOrientation(given));
 }
 
 Raster<unsigned char> shapeMask(const Raster<unsigned char>& image, const MaskOptions& options) {

@@ -4,6 +4,7 @@
 #include "io/byte_reader.h"
 #include "io/exif.h"
 #include "io/image_files.h"
+#include "io/jpeg_segments.h"
 #include "io/known_formats.h"
 #include "io/shape_file_kind.h"
 
@@ -96,6 +97,31 @@ TEST(Exif, IsFoundInJpegAndPngOfBothByteOrders) {
             png[12] = 'x';
             EXPECT_EQ(exifOrientation(png), 1);
         }
+}
+
+TEST(JpegSegments, FalseHuffmanTablesReachNoDecoder) {
+    std::vector<unsigned char> jpeg{0xff, 0xd8, 0xff, 0xc4, 0, 19, 0};
+    for (int k = 0; k < 16; ++k) jpeg.push_back(k == 3 ? 255 : 0);
+    EXPECT_FALSE(checkedJpeg(jpeg).ok()) << "leaves its segment";
+    jpeg[4] = 2;
+    jpeg[5] = 19;
+    jpeg[12] = 255;  // 510 codes, and the bytes are there
+    jpeg.resize(600);
+    EXPECT_FALSE(checkedJpeg(jpeg).ok());
+    EXPECT_FALSE(readImage(jpeg).ok());
+}
+
+TEST(JpegSegments, WhatStandsBetweenThemIsDropped) {
+    const std::vector<unsigned char> plain{0xff, 0xd8, 0xff, 0xe1, 0,    4,    'a',
+                                           'b',  0xff, 0xda, 0,    3,    9,    0x12,
+                                           0xff, 0,    0xff, 0xd3, 0x34, 0xff, 0xd9};
+    EXPECT_EQ(*checkedJpeg(plain), plain);
+    std::vector<unsigned char> padded = plain;
+    padded.insert(padded.begin() + 8, {'x', 0xff, 0xff});
+    padded.push_back('y');
+    EXPECT_EQ(*checkedJpeg(padded), plain);
+    for (std::size_t cut = 2; cut < plain.size(); ++cut)
+        EXPECT_TRUE(checkedJpeg(std::span(plain).first(cut)).ok());
 }
 
 TEST(ShapeMask, OpacityAndInversionMakeOutlinesOfLogos) {
