@@ -52,6 +52,8 @@ Status unreadable(std::span<const unsigned char> bytes) {
 }  // namespace
 
 Expected<Raster<unsigned char>> readImage(std::span<const unsigned char> given) {
+    // The decoder also takes a JPEG after any number of bytes 255, which would pass the check.
+    if (!looksLikePicture(given)) return unreadable(given);
     std::span<const unsigned char> bytes = given;
     std::vector<unsigned char> jpeg;
     if (textOf(given).starts_with("\xff\xd8")) {

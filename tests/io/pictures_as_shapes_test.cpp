@@ -109,6 +109,8 @@ TEST(JpegSegments, FalseHuffmanTablesReachNoDecoder) {
     jpeg.resize(600);
     EXPECT_FALSE(checkedJpeg(jpeg).ok());
     EXPECT_FALSE(readImage(jpeg).ok());
+    jpeg.insert(jpeg.begin(), 40, 0xff);
+    EXPECT_FALSE(readImage(jpeg).ok());
 }
 
 TEST(JpegSegments, WhatStandsBetweenThemIsDropped) {
