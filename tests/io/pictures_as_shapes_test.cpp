@@ -113,10 +113,36 @@ TEST(JpegSegments, FalseHuffmanTablesReachNoDecoder) {
     EXPECT_FALSE(readImage(jpeg).ok());
 }
 
+TEST(JpegSegments, AScanNeedsItsTables) {
+    // One component with table 0 of each kind; the Huffman tables have one code, of one bit.
+    const std::vector<unsigned char> frame{0xff, 0xc0, 0, 11, 8, 0, 8, 0, 8, 1, 1, 0x11, 0};
+    const std::vector<unsigned char> scan{0xff, 0xda, 0, 8, 1, 1, 0, 0, 63, 0, 0x00, 0xff, 0xd9};
+    const auto huffman = [](unsigned char kind) {
+        std::vector<unsigned char> table{0xff, 0xc4, 0, 20, kind, 1};
+        table.resize(22);
+        return table;
+    };
+    std::vector<unsigned char> quant{0xff, 0xdb, 0, 67, 0};
+    quant.resize(69, 1);
+    for (int missing = 0; missing < 4; ++missing) {
+        std::vector<unsigned char> jpeg{0xff, 0xd8};
+        const auto add = [&](const std::vector<unsigned char>& part) {
+            jpeg.insert(jpeg.end(), part.begin(), part.end());
+        };
+        if (missing != 1) add(quant);
+        add(frame);
+        if (missing != 2) add(huffman(0x00));
+        if (missing != 3) add(huffman(0x10));
+        add(scan);
+        EXPECT_EQ(checkedJpeg(jpeg).ok(), missing == 0) << missing;
+        EXPECT_EQ(readImage(jpeg).ok(), missing == 0) << missing;
+    }
+}
+
 TEST(JpegSegments, WhatStandsBetweenThemIsDropped) {
-    const std::vector<unsigned char> plain{0xff, 0xd8, 0xff, 0xe1, 0,    4,    'a',
-                                           'b',  0xff, 0xda, 0,    3,    9,    0x12,
-                                           0xff, 0,    0xff, 0xd3, 0x34, 0xff, 0xd9};
+    const std::vector<unsigned char> plain{0xff, 0xd8, 0xff, 0xe1, 0,    4,    'a',  'b',
+                                           0xff, 0xda, 0,    6,    0,    0,    0,    0,
+                                           0x12, 0xff, 0,    0xff, 0xd3, 0x34, 0xff, 0xd9};
     EXPECT_EQ(*checkedJpeg(plain), plain);
     std::vector<unsigned char> padded = plain;
     padded.insert(padded.begin() + 8, {'x', 0xff, 0xff});
