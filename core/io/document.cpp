@@ -5,6 +5,11 @@
 #include <cstdlib>
 
 #include "io/files.h"
+#include "io/foreign_views.h"
+#include "io/image_files.h"
+#include "io/known_formats.h"
+#include "io/mesh_files.h"
+#include "io/palette_files.h"
 #include "io/png.h"
 #include "io/root_files.h"
 #include "io/text_scanner.h"
@@ -39,19 +44,12 @@ Json parseValue(const std::string& text) {
     return list.size() == 1 ? list[0] : list;
 }
 
-bool isFileName(const std::string& value) {
-    for (const char* ending :
-         {".obj", ".ply", ".stl", ".f3d", ".field2d", ".grid", ".png", ".jpg", ".jpeg", ".bmp"})
-        if (value.size() > 4 && value.ends_with(ending)) return true;
-    return false;
-}
-
 // The scene's shape, or one that alpha or beta follows.
 Status assignShape(Scene& scene, const std::string& key, const std::string& value) {
     std::string& source = key == "modulation.alpha.shape"  ? scene.alphaOverSpace.shape
                           : key == "modulation.beta.shape" ? scene.betaOverSpace.shape
                                                            : scene.shape.source;
-    if (!isFileName(value)) {
+    if (!namesShapeFile(value)) {
         source = value;
         return {};
     }
@@ -74,7 +72,7 @@ Json pointOf(const Scene& scene, const SceneProperty& property, const std::strin
     else if (const auto parameter = scene.parameters.find(property.path);
              parameter != scene.parameters.end())
         width = parameter->second.size();
-    else if (property.path == "start" || property.path == "slice.center")
+    else if ((property.path == "start" || property.path == "slice.center") && !parsed.is_number())
         width = property.path == "start" ? scene.start.size() : scene.slice.axes.size();
     if (width != 1 && width != 2 && width != 4) return parsed;
     const Expected<std::array<double, 4>> point =
@@ -122,11 +120,31 @@ Status assignMap(Scene& scene, const Assignment& assignment) {
 }
 
 // Of a palette that stands in a file.
-Expected<Json> readJsonFile(const std::string& path) {
+Expected<Json> readPaletteAt(const std::string& path) {
     Expected<Bytes> bytes = readFile(path, kDocumentBytes);
     if (!bytes) return bytes.status();
-    Expected<Json> json = parseJson({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
-    return json ? std::move(json) : json.status().in(path);
+    Expected<PaletteFile> file = readPaletteFile(*bytes, path);
+    if (!file) return file.status().in(path);
+    return paletteToJson(file->palette);
+}
+
+// An image behind the fractal, over those that are there already.
+Status addLayer(Scene& scene, const Assignment& assignment) {
+    const std::string& value = assignment.value;
+    if (scene.layers.size() >= kMostLayers)
+        return refused(assignment, "there are " + std::to_string(kMostLayers) + " layers already");
+    if (value == kLeafLayer || colourFromHex(value).ok()) {
+        scene.layers.push_back({.sources = {value}});
+        return {};
+    }
+    Expected<Bytes> bytes = readFile(value, kMostAssetBytes);
+    if (!bytes) return bytes.status();
+    if (Status status = readImage(*bytes).status(); !status.ok()) return status.in(value);
+    const std::size_t slash = value.find_last_of('/');
+    const std::string source = addAsset(
+        scene, {slash == std::string::npos ? value : value.substr(slash + 1), std::move(*bytes)});
+    scene.layers.push_back({.sources = {source}});
+    return {};
 }
 
 }  // namespace
@@ -171,7 +189,7 @@ Expected<Document> documentFromJson(const Json& json) {
 }
 
 Expected<Document> documentFromBytes(std::span<const unsigned char> bytes) {
-    const bool png = bytes.size() > 4 && bytes[0] == 0x89 && bytes[1] == 'P';
+    const bool png = isPng(bytes);
     std::string text(bytes.begin(), bytes.end());
     if (png) {
         Expected<std::vector<PngText>> texts = decodePngText(bytes);
@@ -183,7 +201,25 @@ Expected<Document> documentFromBytes(std::span<const unsigned char> bytes) {
             return Status::data(
                 "the PNG carries no scene; only pictures that Versorium wrote have one");
     }
-    Expected<Json> json = parseJson(text);
+    if (Status status = foreignFault(bytes); !status.ok()) return status;
+    if (looksLikePicture(bytes) && !png)
+        return Status::data(
+            "this is a picture that carries no scene; only PNGs that Versorium wrote have one");
+    if (looksLikeMesh(bytes))
+        return Status::data("this is a mesh and no scene; a scene takes it by --set shape=FILE");
+    if (!png && looksLikeForeignView(bytes)) {
+        Expected<ForeignView> view = readForeignView(bytes);
+        if (!view) return view.status();
+        Document document;
+        document.body = sceneToJson(view->scene);
+        document.note = std::move(view->note);
+        return document;
+    }
+    if (const std::size_t first = text.find_first_not_of(" \t\r\n");
+        !png && looksLikePalette(bytes) && first != std::string::npos && text[first] != '{')
+        return Status::data(
+            "this is a palette and no scene; a scene takes it by --set palette=FILE");
+    Expected<Json> json = parseJson(std::string(withoutMark(text)));
     if (!json) return json.status();
     return documentFromJson(*json);
 }
@@ -215,12 +251,14 @@ Expected<Assignment> parseAssignment(const std::string& text) {
 }
 
 bool knowsKey(const Scene& scene, const std::string& key) {
-    return key == "map" || key == "formula" || propertyNamed(scene, key).has_value();
+    return key == "map" || key == "formula" || key == "layer" ||
+           propertyNamed(scene, key).has_value();
 }
 
 Status assign(Scene& scene, const Assignment& assignment) {
     const auto& [key, value] = assignment;
     if (key == "map" || key == "formula") return assignMap(scene, assignment);
+    if (key == "layer") return addLayer(scene, assignment);
     const std::optional<SceneProperty> property = propertyNamed(scene, key);
     if (!property)
         return refused(assignment,
@@ -233,8 +271,8 @@ Status assign(Scene& scene, const Assignment& assignment) {
     Json parsed = parseValue(value);
     if (!parsed.is_array() && !parsed.is_object())
         parsed = pointOf(scene, *property, value, parsed);
-    if (property->path == "colour.palette" && value.ends_with(".json")) {
-        Expected<Json> palette = readJsonFile(value);
+    if (property->path == "colour.palette" && namesPalette(value)) {
+        Expected<Json> palette = readPaletteAt(value);
         if (!palette) return palette.status();
         parsed = std::move(*palette);
     }

@@ -2,7 +2,7 @@
 #pragma once
 // What a picture carries and what can be opened: a scene, a plate or an animation, with how it is
 // rendered. As JSON this is {"document": 1, "kind": "scene" | "plate" | "animation", "body": …,
-// "assets": …, "render": …}; one of these alone is a document as well. In a PNG it is the iTXt text
+// "assets": …, "render": …}; one of these alone is a document as well. In a PNG it is the text
 // "versorium".
 
 #include <span>
@@ -29,12 +29,14 @@ struct Document {
     Json body;  // one of these, without assets
     Assets assets;
     Json render = Json::object();  // the options that made the picture
+    std::string note = {};         // what was left out of another program's file, as a sentence
 };
 
 Json documentToJson(const Document& document);
 Expected<Document> documentFromJson(const Json& json);
 
-// A JSON file or a PNG that carries a document; "-" is standard input.
+// A JSON file, a PNG that carries a document, or another program's view (io/foreign_views.h); "-"
+// is standard input.
 Expected<Document> readDocument(const std::string& path);
 Expected<Document> documentFromBytes(std::span<const unsigned char> bytes);
 
@@ -46,7 +48,8 @@ void addAssets(const Scene& scene, Assets& assets);
 
 // --set key=value. A key is a path of the scene ("colour.palette"), the last part of one
 // ("palette", "height"), or a number's or parameter's name ("c", "c.re", "roots[0].power"). `shape`
-// and lists of roots also take files, and so does `palette` (a JSON file).
+// and lists of roots also take files, and so does `palette` (io/palette_files.h). The key `layer`
+// adds an image: a file, "leaf" or a colour.
 struct Assignment {
     std::string key, value;
 };

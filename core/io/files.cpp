@@ -131,7 +131,14 @@ Status replaceFile(const std::string& path, std::span<const unsigned char> bytes
 
 }  // namespace
 
-Expected<Bytes> readFile(const std::string& path, std::size_t maxBytes) {
+std::string expandedPath(const std::string& path) {
+    if (path != "~" && !path.starts_with("~/")) return path;
+    const char* home = std::getenv("HOME");
+    return home != nullptr ? home + path.substr(1) : path;
+}
+
+Expected<Bytes> readFile(const std::string& given, std::size_t maxBytes) {
+    const std::string path = expandedPath(given);
     const bool standard = path == "-";
     const std::string shown = standard ? "standard input" : path;
     Descriptor file(standard ? STDIN_FILENO : openRetrying(path.c_str(), O_RDONLY));
@@ -161,7 +168,8 @@ Expected<Bytes> readFile(const std::string& path, std::size_t maxBytes) {
     return bytes;
 }
 
-Status writeFileAtomically(const std::string& path, std::span<const unsigned char> bytes) {
+Status writeFileAtomically(const std::string& given, std::span<const unsigned char> bytes) {
+    const std::string path = expandedPath(given);
     if (path == "-") {
         std::fflush(stdout);
         const int number = writeAll(STDOUT_FILENO, bytes);

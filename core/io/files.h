@@ -20,6 +20,9 @@ using Bytes = std::vector<unsigned char>;
 inline constexpr std::size_t kFileSize = std::size_t{1} << 31;  // a grid of 512³ is half of it
 
 // Fails when the file is larger than `maxBytes`, before it is read where its size is known.
+// A leading "~/" is the home folder, as shells have it, wherever a path is read or written.
+std::string expandedPath(const std::string& path);
+
 Expected<Bytes> readFile(const std::string& path, std::size_t maxBytes = kFileSize);
 
 // Follows a symbolic link to its target. Devices and pipes are written to directly. On failure the

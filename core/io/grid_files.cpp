@@ -116,6 +116,11 @@ Expected<Grid> readGrid(std::span<const unsigned char> bytes, const GridFileOpti
     return grid;
 }
 
+bool looksLikeGrid(std::span<const unsigned char> bytes) {
+    return fits(readHeader(bytes, 3), 3, bytes.size()) ||
+           fits(readHeader(bytes, 2), 2, bytes.size());
+}
+
 std::vector<unsigned char> writeGrid(const Grid& grid, const GridFileOptions& options) {
     assert(grid.values.size() == static_cast<std::size_t>(grid.resolution.x) *
                                      static_cast<std::size_t>(grid.resolution.y) *

@@ -30,6 +30,9 @@ inline constexpr std::size_t kGridNodes = std::size_t{1} << 31;
 // not fit the bytes, fewer than two nodes along an axis, and values that are not finite.
 Expected<Grid> readGrid(std::span<const unsigned char> bytes, const GridFileOptions& options = {});
 
+// Whether the bytes have exactly the length of either.
+bool looksLikeGrid(std::span<const unsigned char> bytes);
+
 // A planar grid becomes a 2D file (zFastest does not matter then), any other an .f3d.
 std::vector<unsigned char> writeGrid(const Grid& grid, const GridFileOptions& options = {});
 

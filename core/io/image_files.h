@@ -21,7 +21,8 @@ struct MaskOptions {
     // A pixel is inside where its lightness, laid on white by its alpha, is below this share of
     // white: a dark figure on light paper.
     double threshold = 0.5;
-    bool invert = false;  // a light figure on dark ground
+    bool invert = false;   // a light figure on dark ground
+    bool byAlpha = false;  // inside is what is opaque: its alpha is at least the threshold
 };
 
 // One channel: 1 inside, 0 outside. Lightness is 0.2126 R + 0.7152 G + 0.0722 B of the sRGB values.

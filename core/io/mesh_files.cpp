@@ -1,27 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/mesh_files.h"
 
-#include <cctype>
-
+#include "io/known_formats.h"
 #include "io/mesh_parts.h"
 
 namespace versorium {
-namespace {
-
-std::string lowerExtension(std::string_view name) {
-    const std::size_t point = name.rfind('.');
-    std::string extension;
-    if (point == std::string_view::npos) return extension;
-    for (char c : name.substr(point))
-        extension += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return extension;
-}
-
-bool beginsWith(std::string_view text, std::string_view start) {
-    return text.substr(0, start.size()) == start;
-}
-
-}  // namespace
 
 Status finishMesh(const Mesh& mesh, const char* format) {
     if (mesh.triangles.empty())
@@ -31,16 +14,18 @@ Status finishMesh(const Mesh& mesh, const char* format) {
 }
 
 Expected<Mesh> readMesh(std::span<const unsigned char> bytes, std::string_view name) {
-    const std::string_view text = textOf(bytes);
-    if (beginsWith(text, "ply\n") || beginsWith(text, "ply\r")) return readPly(bytes);
-    if (isBinaryStl(bytes)) return readStl(bytes);
-    const std::string extension = lowerExtension(name);
-    if (extension == ".obj") return readObj(bytes);
-    if (extension == ".ply") return readPly(bytes);
-    if (extension == ".stl" || beginsWith(text, "solid")) return readStl(bytes);
-    if (text.find("\nv ") != std::string_view::npos || beginsWith(text, "v "))
-        return readObj(bytes);
+    if (isPly(bytes)) return readPly(bytes);
+    if (isBinaryStl(bytes) || isTextStl(bytes)) return readStl(bytes);
+    if (isObj(bytes)) return readObj(bytes);
+    if (Status status = foreignFault(bytes); !status.ok()) return status;
+    if (hasEnding(name, {".obj"})) return readObj(bytes);
+    if (hasEnding(name, {".ply"})) return readPly(bytes);
+    if (hasEnding(name, {".stl"})) return readStl(bytes);
     return Status::data("not a mesh that can be read here; OBJ, PLY and STL can");
+}
+
+bool looksLikeMesh(std::span<const unsigned char> bytes) {
+    return isPly(bytes) || isBinaryStl(bytes) || isTextStl(bytes) || isObj(bytes);
 }
 
 }  // namespace versorium

@@ -9,23 +9,20 @@
 
 #include "base/status.h"
 #include "geometry/mesh.h"
+#include "io/text_scanner.h"
 
 namespace versorium {
-
-inline std::string_view textOf(std::span<const unsigned char> bytes) {
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
 
 // Refuses a mesh without faces; `format` names the file's kind.
 Status finishMesh(const Mesh& mesh, const char* format);
 
 // True when the length is exactly the one that a binary STL's triangle count asks for.
 bool isBinaryStl(std::span<const unsigned char> bytes);
-
-// Triangles (c₀, cᵢ, cᵢ₊₁) of a polygon; a polygon of fewer than three corners gives none.
-inline void appendFan(const std::vector<std::uint32_t>& corners, Mesh& mesh) {
-    for (std::size_t i = 2; i < corners.size(); ++i)
-        mesh.triangles.push_back({corners[0], corners[i - 1], corners[i]});
-}
+// True when the bytes begin as an ASCII STL does, whatever the case of its letters.
+bool isTextStl(std::span<const unsigned char> bytes);
+// True when a line of the text is a vertex of an OBJ file, "v x y z".
+bool isObj(std::span<const unsigned char> bytes);
+// True when the first word is "ply".
+bool isPly(std::span<const unsigned char> bytes);
 
 }  // namespace versorium

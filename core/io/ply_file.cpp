@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // PLY (Turk 1994): a text header that lists elements and their properties, then the data as text
 // or in binary of either byte order. Positions are the properties x, y, z of "vertex", faces the
-// list "vertex_indices" or "vertex_index" of "face"; everything else is stepped over.
+// list "vertex_indices" or "vertex_index" of "face" or of "tristrips", whose strips of triangles
+// end at -1; everything else is stepped over. The header's words may have letters of any case.
 #include <cmath>
 #include <cstdint>
 
+#include "geometry/triangulate.h"
 #include "io/byte_reader.h"
 #include "io/mesh_files.h"
 #include "io/mesh_parts.h"
@@ -107,7 +109,8 @@ class NumberSource {
 
   private:
     double nextDecimal() {
-        const std::optional<double> value = parseDecimal(text_.wordAcrossLines());
+        // What is not finite is a number all the same: it may stand where nobody looks.
+        const std::optional<double> value = parseReal(text_.wordAcrossLines());
         failed_ = failed_ || !value;
         return value.value_or(0.0);
     }
@@ -128,17 +131,17 @@ Status readProperty(TextScanner& scanner, PlyHeader& header) {
     std::vector<Property>& properties = header.elements.back().properties;
     if (properties.size() >= kProperties) return headerFault(scanner, "too many properties");
     Property property;
-    std::string_view word = scanner.word();
+    std::string word = lowered(scanner.word());
     if (word == "list") {
-        property.countType = typeOf(scanner.word());
+        property.countType = typeOf(lowered(scanner.word()));
         if (property.countType == Type::none || property.countType == Type::float32 ||
             property.countType == Type::float64)
             return headerFault(scanner, "the count of a list must be of an integer type");
-        word = scanner.word();
+        word = lowered(scanner.word());
     }
     property.type = typeOf(word);
     if (property.type == Type::none) return headerFault(scanner, "an unknown type of number");
-    property.name = scanner.word();
+    property.name = lowered(scanner.word());
     properties.push_back(property);
     return {};
 }
@@ -146,7 +149,7 @@ Status readProperty(TextScanner& scanner, PlyHeader& header) {
 Status readElement(TextScanner& scanner, PlyHeader& header) {
     if (header.elements.size() >= kElements) return headerFault(scanner, "too many elements");
     Element element;
-    element.name = scanner.word();
+    element.name = lowered(scanner.word());
     const std::optional<std::int64_t> count = parseInteger(scanner.word());
     if (!count || *count < 0)
         return headerFault(scanner, "the number of elements is not a whole number below 10^18");
@@ -158,7 +161,7 @@ Status readElement(TextScanner& scanner, PlyHeader& header) {
 }
 
 Status readFormat(TextScanner& scanner, PlyHeader& header) {
-    const std::string_view word = scanner.word();
+    const std::string word = lowered(scanner.word());
     if (word == "ascii") {
         header.encoding = Encoding::ascii;
     } else if (word == "binary_little_endian") {
@@ -176,15 +179,18 @@ Status readFormat(TextScanner& scanner, PlyHeader& header) {
 Expected<PlyHeader> readPlyHeader(std::string_view text) {
     TextScanner scanner(text);
     PlyHeader header;
-    if (!scanner.nextLine() || scanner.word() != "ply")
+    if (lowered(scanner.wordAcrossLines().substr(0, 8)) != "ply")
         return Status::data("not a PLY file: it does not begin with the word ply");
+    // Where lines end with a lone CR, a line feed after the header is the data's first byte.
+    const bool loneReturns = scanner.lineEnd() == "\r";
     bool hasFormat = false;
     while (scanner.nextLine()) {
-        const std::string_view key = scanner.word();
+        const std::string key = lowered(scanner.word());
         Status status;
         if (key == "end_header") {
             if (!hasFormat) return headerFault(scanner, "the header names no format");
-            header.dataOffset = scanner.offset();
+            header.dataOffset =
+                scanner.offset() - (loneReturns && scanner.lineEnd() == "\r\n" ? 1 : 0);
             return header;
         }
         if (key == "format") {
@@ -288,7 +294,42 @@ Status readFaces(const Element& element, NumberSource& source, Mesh& mesh) {
         }
         if (mesh.triangles.size() + indices.size() > kMeshTriangles)
             return Status::data("the PLY file has too many triangles");
-        appendFan(indices, mesh);
+        appendPolygon(indices, mesh);
+    }
+    return {};
+}
+
+// Strips of triangles, each with the one before it turned over: (a, b, c), (c, b, d), (c, d, e) …
+Status readStrips(const Element& element, NumberSource& source, Mesh& mesh) {
+    std::vector<double> corners;
+    const auto limit = static_cast<double>(mesh.vertices.size());
+    for (std::size_t i = 0; i < element.count; ++i) {
+        if (!readCorners(element, source, corners)) return cutShort(element);
+        std::size_t length = 0;  // of the strip up to here
+        std::uint32_t a = 0, b = 0;
+        for (const double corner : corners) {
+            if (corner == -1) {
+                length = 0;
+                continue;
+            }
+            if (!(corner >= 0 && corner < limit) || corner != std::floor(corner))
+                return Status::data("strip " + std::to_string(i + 1) +
+                                    " of the PLY file has a corner that is none of the " +
+                                    std::to_string(mesh.vertices.size()) + " vertices");
+            if (mesh.triangles.size() >= kMeshTriangles)
+                return Status::data("the PLY file has too many triangles");
+            const auto c = static_cast<std::uint32_t>(corner);
+            // A corner that stands twice turns the strip and is no triangle.
+            if (length >= 2 && a != b && b != c && a != c) {
+                if (length % 2 == 0)
+                    mesh.triangles.push_back({a, b, c});
+                else
+                    mesh.triangles.push_back({b, a, c});
+            }
+            a = b;
+            b = c;
+            ++length;
+        }
     }
     return {};
 }
@@ -308,6 +349,11 @@ Status skipElement(const Element& element, NumberSource& source) {
 
 }  // namespace
 
+bool isPly(std::span<const unsigned char> bytes) {
+    TextScanner scanner(textOf(bytes).substr(0, 4096));
+    return lowered(scanner.wordAcrossLines().substr(0, 8)) == "ply";
+}
+
 Expected<Mesh> readPly(std::span<const unsigned char> bytes) {
     const Expected<PlyHeader> header = readPlyHeader(textOf(bytes));
     if (!header) return header.status();
@@ -322,6 +368,8 @@ Expected<Mesh> readPly(std::span<const unsigned char> bytes) {
             status = readVertices(element, source, mesh);
         } else if (element.name == "face") {
             status = readFaces(element, source, mesh);
+        } else if (element.name == "tristrips") {
+            status = readStrips(element, source, mesh);
         } else {
             status = skipElement(element, source);
         }

@@ -19,10 +19,11 @@ using View = std::span<const unsigned char>;
 constexpr unsigned char kSignature[8] = {137, 'P', 'N', 'G', '\r', '\n', 26, '\n'};
 constexpr std::size_t kHeaderChunk = 8 + 25;  // signature and IHDR
 constexpr std::size_t kCompressFrom = 1024;   // shorter texts stay readable in the file
+constexpr std::size_t kPlainAscii = 1 << 16;  // longer texts of ASCII are packed
 // Deflate packs at most 258 bytes into two bits.
 constexpr long long kDeflateRatio = 1032;
 
-void put32(Bytes& out, std::uint32_t value) {
+void putBig32(Bytes& out, std::uint32_t value) {
     for (int shift = 24; shift >= 0; shift -= 8)
         out.push_back(static_cast<unsigned char>(value >> shift));
 }
@@ -34,11 +35,11 @@ std::uint32_t get32(View bytes, std::size_t at) {
 }
 
 void putChunk(Bytes& out, std::string_view type, View data) {
-    put32(out, static_cast<std::uint32_t>(data.size()));
+    putBig32(out, static_cast<std::uint32_t>(data.size()));
     const std::size_t start = out.size();
     out.insert(out.end(), type.begin(), type.end());
     out.insert(out.end(), data.begin(), data.end());
-    put32(out, crc32(View(out).subspan(start)));
+    putBig32(out, crc32(View(out).subspan(start)));
 }
 
 bool validUtf8(std::string_view text) {
@@ -67,6 +68,32 @@ Status checkKeyword(std::string_view keyword) {
     return Status::usage("a keyword of a PNG text has 1 to 79 printable ASCII characters");
 }
 
+bool isAscii(std::string_view text) {
+    return std::all_of(text.begin(), text.end(), [](char c) { return c >= 0 && c < 127; });
+}
+
+Status putPacked(Bytes& out, View plain) {
+    const Bytes stream = stb::deflate(plain);
+    if (stream.empty()) return Status::inputOutput("out of memory while packing a PNG text");
+    out.insert(out.end(), stream.begin(), stream.end());
+    return {};
+}
+
+// tEXt, which image editors keep where they drop the others; zTXt where it is long.
+Status putAscii(Bytes& out, const PngText& text, View plain) {
+    Bytes data(text.keyword.begin(), text.keyword.end());
+    data.push_back(0);
+    if (plain.size() <= kPlainAscii) {
+        data.insert(data.end(), plain.begin(), plain.end());
+        putChunk(out, "tEXt", data);
+        return {};
+    }
+    data.push_back(0);  // deflate
+    if (Status status = putPacked(data, plain); !status.ok()) return status;
+    putChunk(out, "zTXt", data);
+    return {};
+}
+
 Status putText(Bytes& out, const PngText& text) {
     if (Status status = checkKeyword(text.keyword); !status.ok()) return status;
     if (text.text.size() > kPngTextLimit)
@@ -77,14 +104,13 @@ Status putText(Bytes& out, const PngText& text) {
         return Status::usage("the text \"" + text.keyword + "\" is not plain UTF-8");
     Bytes data(text.keyword.begin(), text.keyword.end());
     const View plain(reinterpret_cast<const unsigned char*>(text.text.data()), text.text.size());
+    if (isAscii(text.text)) return putAscii(out, text, plain);
     const bool packed = plain.size() > kCompressFrom;
     // Zero, compression flag and method, empty language and translated keyword.
     for (const int value : {0, packed ? 1 : 0, 0, 0, 0})
         data.push_back(static_cast<unsigned char>(value));
     if (packed) {
-        const Bytes stream = stb::deflate(plain);
-        if (stream.empty()) return Status::inputOutput("out of memory while packing a PNG text");
-        data.insert(data.end(), stream.begin(), stream.end());
+        if (Status status = putPacked(data, plain); !status.ok()) return status;
     } else {
         data.insert(data.end(), plain.begin(), plain.end());
     }
@@ -160,6 +186,41 @@ bool takeUntilZero(View& data, std::string& out) {
     return true;
 }
 
+// What is no UTF-8 is Latin-1, as the standard has it.
+std::string utf8FromLatin1(std::string text) {
+    if (validUtf8(text)) return text;
+    std::string result;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x80) {
+            result += c;
+        } else {
+            result += static_cast<char>(0xc0 | byte >> 6);
+            result += static_cast<char>(0x80 | (byte & 0x3f));
+        }
+    }
+    return result;
+}
+
+// tEXt: a keyword, a zero and the text; zTXt has a method before the text and packs it.
+Expected<PngText> readLatinText(View data, bool packed) {
+    PngText text;
+    const std::string wrong = std::string("a ") + (packed ? "zTXt" : "tEXt") +
+                              " chunk of the PNG does not follow the standard";
+    if (!takeUntilZero(data, text.keyword) || !checkKeyword(text.keyword).ok())
+        return Status::data(wrong);
+    if (packed) {
+        if (data.empty() || data[0] != 0) return Status::data(wrong);
+        Expected<std::string> plain = unpack(data.subspan(1), text.keyword);
+        if (!plain) return plain.status();
+        text.text = utf8FromLatin1(*std::move(plain));
+        return text;
+    }
+    if (data.size() > kPngTextLimit) return Status::data(wrong);
+    text.text = utf8FromLatin1(std::string(data.begin(), data.end()));
+    return text;
+}
+
 Expected<PngText> readText(View data) {
     const Status wrong = Status::data("an iTXt chunk of the PNG does not follow the standard");
     PngText text;
@@ -204,8 +265,8 @@ Expected<Bytes> encodePng(const Raster<unsigned char>& pixels, const PngOptions&
         const auto perMetre =
             static_cast<std::uint32_t>(std::floor(options.dotsPerInch / 0.0254 + 0.5));
         Bytes data;
-        put32(data, perMetre);
-        put32(data, perMetre);
+        putBig32(data, perMetre);
+        putBig32(data, perMetre);
         data.push_back(1);  // the unit is the metre
         putChunk(out, "pHYs", data);
     }
@@ -218,9 +279,12 @@ Expected<Bytes> encodePng(const Raster<unsigned char>& pixels, const PngOptions&
 Expected<std::vector<PngText>> decodePngText(View bytes) {
     std::vector<PngText> texts;
     Status status = walkChunks(bytes, [&](std::string_view type, View data) -> Status {
-        if (type != "iTXt") return {};
-        Expected<PngText> text = readText(data);
+        if (type != "iTXt" && type != "tEXt" && type != "zTXt") return {};
+        Expected<PngText> text =
+            type == "iTXt" ? readText(data) : readLatinText(data, type == "zTXt");
         if (!text) return text.status();
+        // Some programs end a text with a zero.
+        text->text.resize(std::min(text->text.find('\0'), text->text.size()));
         texts.push_back(*std::move(text));
         return {};
     });

@@ -14,7 +14,8 @@
 
 namespace versorium {
 
-// A text that travels inside a picture, as an iTXt chunk.
+// A text that travels inside a picture: as a tEXt chunk where it is ASCII (zTXt from 64 KiB on),
+// since image editors keep these, and as iTXt elsewhere.
 struct PngText {
     std::string keyword;  // 1 to 79 printable ASCII characters, no space at either end
     std::string text;     // UTF-8 without zero bytes
@@ -36,7 +37,8 @@ inline constexpr long long kPngByteLimit = 1LL << 29;
 Expected<std::vector<unsigned char>> encodePng(const Raster<unsigned char>& pixels,
                                                const PngOptions& options = {});
 
-// All iTXt texts in the order of the file. Every CRC is checked. Fails with ErrorKind::data.
+// All texts in the order of the file, of tEXt, zTXt and iTXt chunks. Every CRC is checked. Fails
+// with ErrorKind::data.
 Expected<std::vector<PngText>> decodePngText(std::span<const unsigned char> bytes);
 
 }  // namespace versorium

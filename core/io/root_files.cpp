@@ -7,6 +7,7 @@
 
 #include "base/json.h"
 #include "io/byte_reader.h"
+#include "io/text_scanner.h"
 
 namespace versorium {
 namespace {
@@ -160,6 +161,7 @@ Expected<RootList> readRootsJson(std::string_view text) {
 }
 
 Expected<RootList> readRoots(std::span<const unsigned char> bytes) {
+    bytes = bytes.subspan(bytes.size() - withoutMark(textOf(bytes)).size());
     for (unsigned char byte : bytes) {
         if (byte == ' ' || byte == '\t' || byte == '\r' || byte == '\n') continue;
         if (byte != '{') break;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // STL. Binary: 80 bytes, uint32 count, and for each triangle a normal, three corners (12 float32)
-// and two spare bytes. ASCII: "vertex x y z" three times in each facet. Normals are not used.
+// and two spare bytes. ASCII: "vertex x y z" three times in each facet, in letters of any case.
+// Normals are not used, and bytes after the last triangle of a binary file neither.
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>
@@ -86,38 +87,61 @@ Expected<Mesh> readBinary(std::span<const unsigned char> bytes) {
     return mesh;
 }
 
+std::string whereIn(const TextScanner& scanner) {
+    return "line " + std::to_string(scanner.lineNumber()) + " of the STL file: ";
+}
+
+Expected<glm::dvec3> readCorner(TextScanner& scanner) {
+    glm::dvec3 point;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::string_view word = scanner.wordAcrossLines();
+        const std::optional<double> value = parseDecimal(word);
+        if (!value)
+            return Status::data(whereIn(scanner) +
+                                "a coordinate is expected: " + numberFault(word));
+        point[axis] = *value;
+    }
+    return point;
+}
+
+// Words, whatever their case and lines. A solid's name is passed over up to the end of its line.
 Expected<Mesh> readAscii(std::span<const unsigned char> bytes) {
     Mesh mesh;
     Welder welder(mesh);
     TextScanner scanner(textOf(bytes));
     std::array<std::uint32_t, 3> triangle{};
     std::size_t corners = 0;
-    while (scanner.nextLine()) {
-        const std::string_view key = scanner.word();
-        const std::string where =
-            "line " + std::to_string(scanner.lineNumber()) + " of the STL file: ";
+    while (true) {
+        const std::string_view word = scanner.wordAcrossLines();
+        if (word.empty()) break;
+        const std::string key = lowered(word.substr(0, 16));
         if (key == "endfacet") {
             if (corners != 3)
-                return Status::data(where + "the facet has " + std::to_string(corners) +
+                return Status::data(whereIn(scanner) + "the facet has " + std::to_string(corners) +
                                     " corners, not 3");
             corners = 0;
             mesh.triangles.push_back(triangle);
         }
+        if ((key == "solid" || key == "endsolid") &&
+            lowered(scanner.rest()).find("facet ") == std::string::npos)
+            scanner.skipRest();
         if (key != "vertex") continue;
-        glm::dvec3 point;
-        for (int axis = 0; axis < 3; ++axis) {
-            const std::optional<double> value = parseDecimal(scanner.word());
-            if (!value) return Status::data(where + "three coordinates are expected");
-            point[axis] = *value;
-        }
-        if (corners == 3) return Status::data(where + "a facet has more than three corners");
+        if (corners == 3)
+            return Status::data(whereIn(scanner) + "a facet has more than three corners");
+        const Expected<glm::dvec3> point = readCorner(scanner);
+        if (!point) return point.status();
         if (mesh.triangles.size() >= kMeshTriangles)
-            return Status::data(where + "too many triangles");
-        triangle[corners++] = welder.indexOf(point);
+            return Status::data(whereIn(scanner) + "too many triangles");
+        triangle[corners++] = welder.indexOf(*point);
     }
     if (corners != 0) return Status::data("the STL file ends within a facet");
     if (const Status status = finishMesh(mesh, "STL"); !status.ok()) return status;
     return mesh;
+}
+
+// No binary file: what stands where its count should be does not fit the bytes.
+bool claimedTooMuch(std::span<const unsigned char> bytes) {
+    return bytes.size() < kHeader || claimedCount(bytes) > (bytes.size() - kHeader) / kFacet;
 }
 
 }  // namespace
@@ -127,10 +151,22 @@ bool isBinaryStl(std::span<const unsigned char> bytes) {
            (bytes.size() - kHeader) / kFacet == claimedCount(bytes);
 }
 
+bool isTextStl(std::span<const unsigned char> bytes) {
+    if (isBinaryStl(bytes)) return false;
+    TextScanner scanner(textOf(bytes));
+    const std::string first = lowered(scanner.wordAcrossLines().substr(0, 16));
+    if (first == "facet") return true;
+    if (first != "solid") return false;
+    // Some programs begin a binary file with this word too; its count of triangles has a zero byte
+    // where a text has none, and a text goes on with a facet or ends.
+    const std::string text = lowered(textOf(bytes).substr(0, 4096));
+    if (text.find('\0') != std::string::npos) return false;
+    return text.find("facet") != std::string::npos || text.find("vertex") != std::string::npos ||
+           text.find("endsolid") != std::string::npos || claimedTooMuch(bytes);
+}
+
 Expected<Mesh> readStl(std::span<const unsigned char> bytes) {
-    // Some programs begin a binary file with the word "solid" too, so its length decides.
-    const bool ascii = !isBinaryStl(bytes) && textOf(bytes).substr(0, 5) == "solid";
-    return ascii ? readAscii(bytes) : readBinary(bytes);
+    return isTextStl(bytes) ? readAscii(bytes) : readBinary(bytes);
 }
 
 }  // namespace versorium

@@ -19,6 +19,18 @@ int Job::threads() const {
 #endif
 }
 
+void Job::warn(const std::string& text) {
+    const std::lock_guard lock(warningMutex_);
+    if (std::find(warnings_.begin(), warnings_.end(), text) != warnings_.end()) return;
+    warnings_.push_back(text);
+    if (onWarning) onWarning(text);
+}
+
+std::vector<std::string> Job::warnings() const {
+    const std::lock_guard lock(warningMutex_);
+    return warnings_;
+}
+
 bool Job::parallelFor(std::size_t count, const std::function<void(std::size_t)>& body) {
     done_.store(0, std::memory_order_relaxed);
     total_.store(count, std::memory_order_relaxed);

@@ -6,6 +6,9 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <mutex>
+#include <string>
+#include <vector>
 
 namespace versorium {
 
@@ -47,7 +50,16 @@ class Job {
     // Called after each part, from whichever thread did it, with progress(). Must be thread-safe.
     std::function<void(double)> onProgress;
 
+    // What whoever reads the result should know, though the work goes on. The same text is kept
+    // once. Safe from any thread; texts are in the order in which they came first.
+    void warn(const std::string& text);
+    std::vector<std::string> warnings() const;
+    // Called with each new text, from whichever thread gave it.
+    std::function<void(const std::string&)> onWarning;
+
   private:
+    mutable std::mutex warningMutex_;
+    std::vector<std::string> warnings_;
     int threads_ = 0;
     std::atomic<bool> cancelled_{false};
     std::atomic<std::size_t> done_{0};

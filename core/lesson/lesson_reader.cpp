@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "io/text_scanner.h"
 #include "lesson/lesson.h"
 #include "lesson/observables.h"
 #include "lesson/stage.h"
@@ -255,11 +256,13 @@ class Reader {
 Expected<Lesson> parseLesson(std::string_view text, const std::string& name) {
     if (text.size() > kMarkdownBytes)
         return Status::data("a lesson has at most " + std::to_string(kMarkdownBytes) + " bytes");
-    return Reader(text, name).read();
+    const std::string plain = withLineFeeds(text);
+    return Reader(plain, name).read();
 }
 
 Expected<LessonHead> parseLessonHead(std::string_view text, const std::string& name) {
-    return Reader(text, name).readHead();
+    const std::string plain = withLineFeeds(text);
+    return Reader(plain, name).readHead();
 }
 
 }  // namespace versorium

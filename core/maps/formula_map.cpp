@@ -175,7 +175,6 @@ void FormulaMap::describe() {
              .parameters = parameters_,
              .field = formula_.shape,
              .escapeRadius = radiusOf(formula_),
-             .degree = 0,  // it follows from the parameters (growthAtInfinity)
              .homeHeight = formula_.shape                         ? shape_modulus::kHomeHeight
                            : formula_.space == FormulaSpace::line ? 4.0
                            : formula_.unicritical || formula_.space == FormulaSpace::quaternion
@@ -198,6 +197,9 @@ void FormulaMap::describe() {
         for (int k = 0; k < widthOf(parameter.kind); ++k)
             values.push_back(parameter.value[static_cast<std::size_t>(k)]);
     values.push_back(0);
+    // With other parameters it may be another one (render/growth.h).
+    const double growth = growthOf(formula_, values.data()).value_or(0);
+    info_.degree = growth > 1 ? growth : 0;
     // The image of infinity follows all parameters (maps/critical.h).
     if (valueAtInfinity(formula_, values.data()))
         formula_.movesCritical.assign(formula_.movesCritical.size(), true);

@@ -144,9 +144,11 @@ Complex<R> cos(const Complex<R>& z) {
 // (sin 2x + i sinh 2y) / (cos 2x + cosh 2y).
 template <class R>
 Complex<R> tan(const Complex<R>& z) {
-    const R x = z.re + z.re, y = within(z.im + z.im, kMostHyperbolic);
-    const R below = cos(x) + cosh(y);
-    return {sin(x) / below, sinh(y) / below};
+    // Both terms below are positive, so that nothing cancels near a pole.
+    const R y = within(z.im, 0.5 * kMostHyperbolic);
+    const R cosine = cos(z.re), up = sinh(y);
+    const R below = cosine * cosine + up * up;
+    return {sin(z.re) * cosine / below, up * cosh(y) / below};
 }
 template <class R>
 Complex<R> sinh(const Complex<R>& z) {

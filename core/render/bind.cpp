@@ -6,10 +6,11 @@
 
 #include "base/embedded.h"
 #include "fields/ensemble.h"
-#include "fields/lanes_of_orbits.h"
 #include "io/grid_files.h"
 #include "io/image_files.h"
 #include "io/mesh_files.h"
+#include "io/shape_file_kind.h"
+#include "render/critical_start.h"
 #include "render/growth.h"
 #include "render/root_region.h"
 #include "render/shape_profile.h"
@@ -17,6 +18,7 @@
 #include "scene/shape_name.h"
 #include "shape/image_distance.h"
 #include "shape/mesh_distance.h"
+#include "shape/mesh_report.h"
 #include "shape/outline.h"
 
 namespace versorium {
@@ -25,25 +27,6 @@ namespace {
 constexpr std::string_view kMeshes = "meshes/", kAsset = "asset:";
 // An outline's grid has no third side, so it may be so much finer than a mesh's.
 constexpr int kOutlineNodes = 4;
-
-bool endsWith(const std::string& name, std::string_view ending) {
-    if (name.size() < ending.size()) return false;
-    for (std::size_t i = 0; i < ending.size(); ++i) {
-        char c = name[name.size() - ending.size() + i];
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-        if (c != ending[i]) return false;
-    }
-    return true;
-}
-
-bool isGridName(const std::string& name) {
-    return endsWith(name, ".f3d") || endsWith(name, ".field2d") || endsWith(name, ".grid");
-}
-
-bool isPictureName(const std::string& name) {
-    return endsWith(name, ".png") || endsWith(name, ".jpg") || endsWith(name, ".jpeg") ||
-           endsWith(name, ".bmp");
-}
 
 std::string meshFile(const Scene& scene) {
     return std::string(kMeshes) + scene.shape.source + ".obj";
@@ -66,7 +49,9 @@ Expected<NamedBytes> shapeFile(const Scene& scene) {
 // All that a grid follows from.
 std::string gridKey(const Scene& scene) {
     return scene.shape.source + "/" + std::to_string(scene.shape.resolution) + "/" +
-           formatNumber(scene.shape.padding) + (scene.shape.zFastest ? "/z" : "/x");
+           formatNumber(scene.shape.padding) + (scene.shape.zFastest ? "/z" : "/x") + "/" +
+           formatNumber(scene.shape.threshold) + (scene.shape.byAlpha ? "a" : "l") +
+           (scene.shape.invert ? "i" : "");
 }
 
 // A scene of the same map with that shape, without all that its grid does not follow from.
@@ -204,29 +189,6 @@ Status bindSlice(const Scene& scene, OrbitProgram& program) {
     return {};
 }
 
-// A critical start must exist somewhere in the picture: in its middle or at its edges.
-Status checkCriticalStart(const Scene& scene, const OrbitProgram& program) {
-    if (!program.critical) return {};
-    constexpr int kPlaces = 9;
-    const std::size_t axes = scene.slice.axes.size();
-    double places[3][kPlaces] = {};
-    const double* rows[3] = {places[0], places[1], places[2]};
-    for (std::size_t axis = 0; axis < std::min<std::size_t>(axes, 3); ++axis)
-        for (int i = 0; i < kPlaces; ++i) {
-            const int step = axis == 0 ? i % 3 - 1 : axis == 1 ? i / 3 - 1 : 0;
-            places[axis][i] = scene.slice.centre[axis] + 0.5 * step * scene.slice.height;
-        }
-    OrbitLanes lanes(program, kPlaces, rows, {});
-    const std::vector<double>& first = lanes.state(0);
-    if (!std::all_of(first.begin(), first.begin() + kPlaces,
-                     [](double value) { return std::isnan(value); }))
-        return {};
-    return Status::data("start: the map has no critical point number " +
-                        std::to_string(*program.critical) +
-                        " here; \"versorium formula\" lists those of a formula, and numbers may "
-                        "stand in its place, such as --set start=0,0");
-}
-
 Trap trapOf(const TrapSpec& spec) {
     Trap trap;
     trap.kind = spec.kind;
@@ -261,25 +223,53 @@ double automaticRadius(const Scene& scene) {
     return std::max(info.escapeRadius, (1 + std::sqrt(1 + 4 * std::sqrt(square))) / 2);
 }
 
-Expected<Grid> gridFromBytes(std::span<const unsigned char> bytes, const std::string& name,
-                             const ShapeSpec& spec, Job& job) {
-    if (isGridName(name)) return readGrid(bytes, {.zFastest = spec.zFastest});
-    if (isPictureName(name)) {
-        Expected<Raster<unsigned char>> image = readImage(bytes);
-        if (!image) return image.status();
-        return imageDistance(shapeMask(*image), job);
-    }
-    Expected<Mesh> mesh = readMesh(bytes, name);
-    if (!mesh) return mesh.status();
+namespace {
+
+Expected<Grid> gridOfPicture(std::span<const unsigned char> bytes, const ShapeSpec& spec,
+                             Job& job) {
+    Expected<Raster<unsigned char>> image = readImage(bytes);
+    if (!image) return image.status();
+    const Raster<unsigned char> mask =
+        shapeMask(*image, {spec.threshold, spec.invert, spec.byAlpha});
+    const auto& values = mask.values();
+    const bool inside = values[0] != 0;
+    if (std::all_of(values.begin(), values.end(),
+                    [&](unsigned char value) { return (value != 0) == inside; }))
+        return Status::data(
+            std::string("nothing of the picture is ") + (inside ? "outside" : "inside") +
+            " where " + (spec.byAlpha ? "opacity" : "lightness") + " at " +
+            formatNumber(spec.threshold) +
+            " decides; take another shape.threshold from 0 to 1, shape.invert=true for a light "
+            "figure, or shape.by_alpha=true for one on a transparent ground");
+    return imageDistance(mask, job);
+}
+
+Expected<Grid> gridOfMesh(const Mesh& mesh, const ShapeSpec& spec, Job& job) {
     Expected<MeshDistance> made =
-        meshDistance(*mesh, {.resolution = spec.resolution, .padding = spec.padding}, job);
+        meshDistance(mesh, {.resolution = spec.resolution, .padding = spec.padding}, job);
     if (!made) return made.status();
     const std::vector<double>& values = made->grid.values;
     if (std::none_of(values.begin(), values.end(), [](double phi) { return phi < 0; }))
         return Status::data(
             "the mesh encloses nothing that its grid sees: it is open, or thinner than a cell; "
             "close it, or raise shape.resolution");
+    if (made->uncertainNodes > 0)
+        job.warn(std::to_string(made->uncertainNodes) + " of " + std::to_string(values.size()) +
+                 " nodes of the mesh's grid have an uncertain side, near holes or turned faces");
     return std::move(made->grid);
+}
+
+}  // namespace
+
+Expected<Grid> gridFromBytes(std::span<const unsigned char> bytes, const std::string& name,
+                             const ShapeSpec& spec, Job& job) {
+    const ShapeFileKind kind = shapeFileKindOf(bytes, name);
+    if (kind == ShapeFileKind::grid) return readGrid(bytes, {.zFastest = spec.zFastest});
+    if (kind == ShapeFileKind::picture) return gridOfPicture(bytes, spec, job);
+    Expected<Mesh> mesh = readMesh(bytes, name);
+    if (!mesh) return mesh.status();
+    for (const std::string& text : warningsOf(reportOf(*mesh))) job.warn(text);
+    return gridOfMesh(*mesh, spec, job);
 }
 
 namespace {
@@ -292,8 +282,12 @@ Expected<Grid> gridOf(const Scene& scene, Job& job) {
     }
     Expected<NamedBytes> file = shapeFile(scene);
     if (!file) return file.status();
-    Expected<Grid> made = gridFromBytes(file->bytes, file->name, scene.shape, job);
+    Job own(job.threads());  // its warnings get the file's name; a built-in mesh gives none
+    own.onProgress = job.onProgress;
+    Expected<Grid> made = gridFromBytes(file->bytes, file->name, scene.shape, own);
     if (!made) return made.status().in(file->name);
+    if (scene.shape.source.starts_with(kAsset))
+        for (const std::string& text : own.warnings()) job.warn(file->name + ": " + text);
     return made;
 }
 
@@ -338,7 +332,9 @@ Expected<std::shared_ptr<DistanceField>> Binder::field(const Scene& scene, Job& 
     }
     Expected<std::shared_ptr<const Grid>> made = grid(scene, job);
     if (!made) return made.status();
-    const bool stored = !isOutline(scene.shape.source) && isGridName(shapeFile(scene)->name);
+    const bool stored =
+        !isOutline(scene.shape.source) &&
+        shapeFileKindOf(shapeFile(scene)->bytes, shapeFile(scene)->name) == ShapeFileKind::grid;
     const Outside outside =
         scene.shape.outside.value_or(stored ? Outside::border : Outside::distance);
     return std::make_shared<DistanceField>(*made, outside);

@@ -42,8 +42,8 @@ class Binder {
 // picture, and not analytic.
 bool needsGrid(const Scene& scene);
 
-// The mesh, grid or picture in these bytes as a grid of signed distances (`name` tells by its
-// ending what they are).
+// The mesh, grid or picture in these bytes as a grid of signed distances. The content says what
+// they are, and the ending of `name` where that is open. What is doubtful is told by job.warn().
 Expected<Grid> gridFromBytes(std::span<const unsigned char> bytes, const std::string& name,
                              const ShapeSpec& spec, Job& job);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tables of what a picture looks like: colours, layers, the trap, the shape's grid.
+// The tables of what a picture looks like: colours, layers, the trap.
 #include "colour/palette.h"
 #include "scene/properties.h"
 
@@ -331,47 +331,6 @@ const PropertyTable<TrapSpec>& trapTable() {
                                     .sliderLow = -3.2,
                                     .sliderHigh = 3.2,
                                     .step = 0.05}),
-    };
-    return table;
-}
-
-const PropertyTable<ShapeSpec>& shapeTable() {
-    static const PropertyTable<ShapeSpec> table{
-        textOf(&ShapeSpec::source,
-               {.path = "source",
-                .alias = "shape",
-                .label = trLater("shape"),
-                .help = trLater("A shape as a text, such as disc(0.5) or polygon(x1, y1, …); the "
-                                "name of a built-in mesh; or asset: and a SHA-256.")}),
-        wholeOf(&ShapeSpec::resolution,
-                {.path = "resolution",
-                 .label = trLater("grid"),
-                 .help = trLater("Nodes along an edge of the grid that is made of a mesh or an "
-                                 "image."),
-                 .low = 8,
-                 .high = 512,
-                 .sliderLow = 16,
-                 .sliderHigh = 256,
-                 .step = 8}),
-        numberOf(&ShapeSpec::padding, {.path = "padding",
-                                       .label = trLater("free cells"),
-                                       .help = trLater("Free cells of the grid around a mesh."),
-                                       .unit = trLater("cells"),
-                                       .low = 0,
-                                       .high = 100,
-                                       .sliderLow = 0,
-                                       .sliderHigh = 20,
-                                       .step = 1}),
-        wordOfEnum(&ShapeSpec::outside,
-                   {.path = "outside",
-                    .label = trLater("outside"),
-                    .help = trLater("Beyond a grid's box: the value at its border, or that and the "
-                                    "distance to the box. Empty: border for a loaded grid, else "
-                                    "distance."),
-                    .unsaid = trLater("the source's own")}),
-        toggleOf(&ShapeSpec::zFastest, {.path = "z_fastest",
-                                        .label = trLater("z first"),
-                                        .help = trLater("A loaded .f3d file runs along z first.")}),
     };
     return table;
 }

@@ -53,6 +53,10 @@ struct ShapeSpec {
     double padding = 6;              // free cells around it
     std::optional<Outside> outside;  // empty: border for a loaded grid, else distance
     bool zFastest = false;           // a loaded grid runs along z first
+    // Of a picture: inside is what is darker than this share of white, or as opaque as it at least.
+    double threshold = 0.5;
+    bool byAlpha = false;  // opacity decides, not lightness
+    bool invert = false;   // inside is what would be outside
     friend bool operator==(const ShapeSpec&, const ShapeSpec&) = default;
 };
 

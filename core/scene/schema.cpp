@@ -110,6 +110,7 @@ Json sceneSchema() {
     Json example = sceneToJson(whole);
     for (const char* number : {"alpha", "beta"})
         example["modulation"][number] = writeObject(ModulationSpec{}, modulationTable());
+    writeProperties(whole.shape, shapeTable(), example["shape"], true);
     const Json schema = schemaOf(example, "", infosOf(whole));
     Json result{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                 {"title", "Versorium scene"}};

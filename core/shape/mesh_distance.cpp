@@ -11,7 +11,8 @@
 namespace versorium {
 namespace {
 
-constexpr int kBlock = 16;  // nodes along a side of the blocks that threads take
+constexpr double kOnSurface = 1e-9;  // nearer nodes lie on it but for rounding
+constexpr int kBlock = 16;           // nodes along a side of the blocks that threads take
 
 Status checkOptions(const MeshDistanceOptions& options) {
     if (options.resolution < 2 || options.resolution > kMeshDistanceNodes)
@@ -70,7 +71,8 @@ class BlockSampler {
           first_(first),
           last_(glm::min(first + kBlock, grid.resolution)) {}
 
-    void run() {
+    // Gives how many of its nodes have an uncertain side.
+    std::size_t run() {
         sampleDistances();
         std::fill(std::begin(signs_), std::end(signs_), 0);
         // The node furthest from the surface often decides the whole block.
@@ -82,6 +84,7 @@ class BlockSampler {
             double& value = grid_.at(node.x, node.y, node.z);
             if (signOf(node) < 0 && value > 0) value = -value;
         });
+        return uncertain_;
     }
 
   private:
@@ -125,6 +128,9 @@ class BlockSampler {
     void decide(const glm::ivec3& node) {
         const glm::dvec3 point = placeOf(node);
         const double winding = field_.windingNumber(point);
+        // A node on the surface belongs to neither side.
+        const bool off = grid_.at(node.x, node.y, node.z) > kOnSurface;
+        uncertain_ += off && winding > 0.25 && winding < 0.75 ? 1 : 0;
         const signed char sign = winding > 0.5 ? -1 : 1;
         signOf(node) = sign;
         // A little less, so that rounding decides nothing.
@@ -146,6 +152,7 @@ class BlockSampler {
     const MeshField& field_;
     Grid& grid_;
     glm::ivec3 first_, last_, furthest_{};
+    std::size_t uncertain_ = 0;
     signed char signs_[kBlock * kBlock * kBlock];  // 0 while unknown
 };
 
@@ -169,13 +176,15 @@ Expected<MeshDistance> meshDistance(const Mesh& mesh, const MeshDistanceOptions&
     const auto side = static_cast<std::size_t>(options.resolution);
     grid.values.resize(side * side * side);
     const std::size_t blocks = (side + kBlock - 1) / kBlock;
+    std::vector<std::size_t> uncertain(blocks * blocks * blocks);
     const bool done = job.parallelFor(blocks * blocks * blocks, [&](std::size_t part) {
         const glm::ivec3 block(static_cast<int>(part % blocks),
                                static_cast<int>(part / blocks % blocks),
                                static_cast<int>(part / blocks / blocks));
-        BlockSampler(*field, grid, block * kBlock).run();
+        uncertain[part] = BlockSampler(*field, grid, block * kBlock).run();
     });
     if (!done) return Status::cancelled();
+    for (const std::size_t nodes : uncertain) result.uncertainNodes += nodes;
     return result;
 }
 

@@ -33,6 +33,9 @@ struct MeshDistance {
     bool closed = true;                // no side without its partner
     bool turned = false;               // the mesh had its inside out
     std::size_t droppedTriangles = 0;  // without area
+    // Nodes whose winding number lies between ¼ and ¾: near a hole, or between turned faces, where
+    // nobody can say what is inside. Those on the surface do not count.
+    std::size_t uncertainNodes = 0;
 };
 
 // The values do not depend on the number of threads. Fails with ErrorKind::usage for options out of

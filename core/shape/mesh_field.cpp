@@ -37,7 +37,19 @@ bool lexicographic(const glm::dvec3& a, const glm::dvec3& b) {
     return a.z < b.z;
 }
 
-// For each vertex the first index in an order by place that has the same place.
+// Six times the volume enclosed, seen from a vertex, so that a mesh far from 0 loses no digits.
+double signedVolume(const Mesh& mesh) {
+    double volume = 0;
+    const glm::dvec3 origin = mesh.vertices[mesh.triangles[0][0]];
+    for (const auto& triangle : mesh.triangles)
+        volume += glm::dot(
+            mesh.vertices[triangle[0]] - origin,
+            glm::cross(mesh.vertices[triangle[1]] - origin, mesh.vertices[triangle[2]] - origin));
+    return volume;
+}
+
+}  // namespace
+
 std::vector<std::uint32_t> weldedIndices(const Mesh& mesh) {
     std::vector<std::uint32_t> order(mesh.vertices.size()), welded(mesh.vertices.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -52,19 +64,6 @@ std::vector<std::uint32_t> weldedIndices(const Mesh& mesh) {
     }
     return welded;
 }
-
-// Six times the volume enclosed, seen from a vertex, so that a mesh far from 0 loses no digits.
-double signedVolume(const Mesh& mesh) {
-    double volume = 0;
-    const glm::dvec3 origin = mesh.vertices[mesh.triangles[0][0]];
-    for (const auto& triangle : mesh.triangles)
-        volume += glm::dot(
-            mesh.vertices[triangle[0]] - origin,
-            glm::cross(mesh.vertices[triangle[1]] - origin, mesh.vertices[triangle[2]] - origin));
-    return volume;
-}
-
-}  // namespace
 
 Expected<MeshField> MeshField::make(const Mesh& mesh) {
     if (mesh.triangles.empty())

@@ -82,4 +82,7 @@ class MeshField {
     bool turned_ = false;
 };
 
+// For each vertex the first index, in an order by place, that has the same place.
+std::vector<std::uint32_t> weldedIndices(const Mesh& mesh);
+
 }  // namespace versorium

@@ -19,7 +19,7 @@ namespace versorium {
 std::optional<double> growthOf(const Formula& formula, const double* parameters,
                                const std::vector<bool>& varies = {});
 
-// f(∞) of a complex formula that is analytic there and finite, as far as its form says so.
+// f(∞) of a complex formula where it is finite, as far as its form says so.
 std::optional<Complex<double>> valueAtInfinity(const Formula& formula, const double* parameters);
 std::optional<Complex<Dual<double>>> valueAtInfinity(const Formula& formula,
                                                      const Dual<double>* parameters);

@@ -13,6 +13,7 @@
 
 #include "commands/commands.h"
 #include "io/files.h"
+#include "io/known_formats.h"
 #include "io/png.h"
 #include "render/movie.h"
 
@@ -32,7 +33,7 @@ struct AnimateRequest {
 
 bool isFilm(const std::string& name) {
     for (const char* ending : kFilms)
-        if (name.ends_with(ending)) return true;
+        if (hasEnding(name, {ending})) return true;
     return false;
 }
 
@@ -133,11 +134,11 @@ Status encode(const Movie& movie, const std::string& encoder, const std::string&
                                    "1",
                                    "-i",
                                    folder + "/frame-%05d.png"};
-    if (film.ends_with(".mp4") || film.ends_with(".mov") || film.ends_with(".mkv"))
+    if (hasEnding(film, {".mp4", ".mov", ".mkv"}))
         for (const char* word : {"-c:v", "libx264", "-preset", "slow", "-crf", "16"})
             words.emplace_back(word);
     // Colour at half the resolution needs sides that are even.
-    if (!film.ends_with(".gif"))
+    if (!hasEnding(film, {".gif"}))
         for (const char* word : {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"})
             words.emplace_back(word);
     words.push_back(partial);
@@ -152,7 +153,7 @@ Status encode(const Movie& movie, const std::string& encoder, const std::string&
 
 Expected<Movie> movieOf(const AnimateRequest& request) {
     const bool file = request.file == "-" || request.file.find('/') != std::string::npos ||
-                      request.file.ends_with(".json");
+                      hasEnding(request.file, {".json", ".png"});
     if (!file) return animationNamed(request.file);
     Expected<Document> document = readDocument(request.file);
     if (!document) return document.status();
@@ -177,7 +178,7 @@ Expected<Movie> openMovie(const AnimateRequest& request) {
 }
 
 Status animate(const AnimateRequest& request, int threads) {
-    const bool film = isFilm(request.output), archive = request.output.ends_with(".zip");
+    const bool film = isFilm(request.output), archive = hasEnding(request.output, {".zip"});
     Expected<Movie> movie = openMovie(request);
     if (!movie) return movie.status();
     const Size size = pictureSize(movie->animation.scene, movie->options);

@@ -53,6 +53,11 @@ class ProgressLine {
     std::shared_ptr<State> state_;
 };
 
+// Says the job's warnings on standard error; a ProgressLine does it too.
+void sayWarnings(Job& job);
+// Adds "warnings" where there are any.
+void reportWarnings(const Job& job, Json& report);
+
 Status print(const std::string& text);
 Expected<Size> parseSize(const std::string& text);
 Expected<Flavour> parseFlavour(const std::string& text);

@@ -41,6 +41,7 @@ struct ProgressLine::State {
 };
 
 ProgressLine::ProgressLine(Job& job, std::string what) {
+    sayWarnings(job);
     if (!isatty(STDERR_FILENO)) return;
     state_ = std::make_shared<State>();
     state_->what = std::move(what);
@@ -50,6 +51,16 @@ ProgressLine::ProgressLine(Job& job, std::string what) {
 
 ProgressLine::~ProgressLine() {
     if (state_ && state_->drawn) std::fprintf(stderr, state_->plain ? "\n" : "\r\033[K");
+}
+
+void sayWarnings(Job& job) {
+    job.onWarning = [](const std::string& text) {
+        std::fprintf(stderr, "versorium: warning: %s\n", text.c_str());
+    };
+}
+
+void reportWarnings(const Job& job, Json& report) {
+    if (const auto warnings = job.warnings(); !warnings.empty()) report["warnings"] = warnings;
 }
 
 Status print(const std::string& text) { return writeFileAtomically("-", text); }

@@ -124,6 +124,7 @@ std::string cyclesTable(const CycleSearch& search, int dimension) {
 
 Status printCycles(const DynamicsRequest& request, int threads) {
     Job job(threads);
+    sayWarnings(job);
     Expected<OpenedSystem> opened = openSystem(request, job);
     if (!opened) return opened.status();
     Expected<CycleSearch> search = [&] {
@@ -163,6 +164,7 @@ Json curvesJson(const std::vector<Polyline>& curves) {
 
 Status writeManifolds(const DynamicsRequest& request, int threads) {
     Job job(threads);
+    sayWarnings(job);
     Expected<OpenedSystem> opened = openSystem(request, job);
     if (!opened) return opened.status();
     Expected<CycleSearch> search =
@@ -198,6 +200,7 @@ Status writeManifolds(const DynamicsRequest& request, int threads) {
 
 Status writeCriticalSet(const DynamicsRequest& request, int threads) {
     Job job(threads);
+    sayWarnings(job);
     Expected<OpenedSystem> opened = openSystem(request, job);
     if (!opened) return opened.status();
     Expected<CriticalSet> set = criticalSet(
@@ -235,6 +238,7 @@ std::vector<std::string> slicedNames(const Scene& scene) {
 
 Status explain(const DynamicsRequest& request, int threads) {
     Job job(threads);
+    sayWarnings(job);
     Expected<OpenedScene> opened = openScene(request.source);
     if (!opened) return opened.status();
     const Scene& scene = opened->scene;

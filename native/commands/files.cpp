@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "io/files.h"
+#include <cstdio>
+
 #include "base/embedded.h"
 #include "commands/commands.h"
 #include "io/document.h"
+#include "io/files.h"
 #include "io/grid_files.h"
+#include "io/known_formats.h"
 #include "render/bind.h"
 #include "shape/outline.h"
 
@@ -14,7 +17,8 @@ struct ShapeRequest {
     std::string source, output;
     int resolution = 100;
     double padding = 4;
-    bool json = false;
+    double threshold = 0.5;
+    bool invert = false, byAlpha = false, json = false;
 };
 
 // An analytic shape on the nodes of the box [-1/2, 1/2]³.
@@ -37,14 +41,22 @@ Expected<Grid> gridOf(const ShapeRequest& request, Job& job) {
     ShapeSpec spec;
     spec.resolution = request.resolution;
     spec.padding = request.padding;
+    spec.threshold = request.threshold;
+    spec.invert = request.invert;
+    spec.byAlpha = request.byAlpha;
     const std::span<const unsigned char> mesh = embedded("meshes/" + request.source + ".obj");
-    if (!mesh.empty()) return gridFromBytes(mesh, request.source + ".obj", spec, job);
-    if (isOutline(request.source)) {
+    if (!mesh.empty()) {
+        Job own(job.threads());  // a built-in mesh gives no warnings
+        own.onProgress = job.onProgress;
+        return gridFromBytes(mesh, request.source + ".obj", spec, own);
+    }
+    const bool file = namesShapeFile(request.source);
+    if (!file && isOutline(request.source)) {
         Expected<std::vector<glm::dvec2>> corners = parseOutline(request.source);
         if (!corners) return corners.status();
         return outlineDistance(*corners, request.resolution, job);
     }
-    if (request.source.find('(') != std::string::npos) {
+    if (!file && request.source.find('(') != std::string::npos) {
         Expected<ShapeTree> shape = parseShape(request.source);
         if (!shape) return shape.status();
         return sampled(*shape, request.resolution, job);
@@ -64,16 +76,19 @@ Status makeGrid(const ShapeRequest& request, int threads) {
     if (Status status = writeFileAtomically(request.output, bytes); !status.ok()) return status;
     if (!request.json || request.output == "-") return {};
     const auto [low, high] = std::minmax_element(grid->values.begin(), grid->values.end());
-    return print(printJson(
-        Json{{"output", request.output},
-             {"nodes", Json::array({grid->resolution.x, grid->resolution.y, grid->resolution.z})},
-             {"least", *low},
-             {"greatest", *high}}));
+    Json report{
+        {"output", request.output},
+        {"nodes", Json::array({grid->resolution.x, grid->resolution.y, grid->resolution.z})},
+        {"least", *low},
+        {"greatest", *high}};
+    reportWarnings(job, report);
+    return print(printJson(report));
 }
 
 Status printScene(const std::string& path) {
     Expected<Document> document = readDocument(path);
     if (!document) return document.status();
+    if (!document->note.empty()) std::fprintf(stderr, "versorium: %s\n", document->note.c_str());
     return print(printJson(documentToJson(*document)));
 }
 
@@ -84,6 +99,7 @@ void addFileCommands(CommandLine& line) {
         "shape", "Turn a mesh, a picture or an analytic shape into a grid of signed distances.",
         "  versorium shape dragon.ply -o dragon.f3d --resolution 150\n"
         "  versorium shape bunny -o bunny.f3d\n"
+        "  versorium shape logo.png -o logo.grid --by-alpha\n"
         "  versorium shape \"smooth_union(0.05, sphere(0.3), box(0.1, 0.4, 0.1))\" -o s.f3d\n"
         "  versorium shape \"polygon(-0.4, -0.3, 0.4, -0.3, 0, 0.5)\" -o triangle.grid\n"
         "The grid's box is exactly [-1/2, 1/2]^3: a mesh is centred and scaled to fit it. Scenes\n"
@@ -101,6 +117,14 @@ void addFileCommands(CommandLine& line) {
     shape->add_option("--padding", request->padding, "free cells around a mesh")
         ->check(CLI::Range(0.0, 100.0))
         ->capture_default_str();
+    shape
+        ->add_option("--threshold", request->threshold,
+                     "of a picture: inside is what is darker than this share of white")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
+    shape->add_flag("--invert", request->invert, "of a picture: inside is what is light");
+    shape->add_flag("--by-alpha", request->byAlpha,
+                    "of a picture: inside is what is at least as opaque as the threshold");
     shape->add_flag("--json", request->json, "report as JSON");
     line.run(shape, [request, &line] { return makeGrid(*request, line.threads); });
 

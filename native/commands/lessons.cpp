@@ -4,6 +4,7 @@
 
 #include "commands/commands.h"
 #include "io/files.h"
+#include "io/known_formats.h"
 #include "lesson/lesson_plate.h"
 #include "render/cpu/cpu_renderer.h"
 
@@ -17,7 +18,7 @@ struct LessonRequest {
 };
 
 bool isFile(const std::string& name) {
-    return name.ends_with(".md") || name.find('/') != std::string::npos;
+    return hasEnding(name, {".md"}) || name.find('/') != std::string::npos;
 }
 
 Expected<Lesson> openLesson(const LessonRequest& request) {

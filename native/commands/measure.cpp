@@ -3,72 +3,12 @@
 
 #include "commands/commands.h"
 #include "commands/open.h"
+#include "commands/points.h"
 #include "io/files.h"
-#include "io/text_scanner.h"
 #include "scene/numbers.h"
 
 namespace versorium {
 namespace {
-
-constexpr std::size_t kMostPoints = 20000000;
-
-// Columns x, y, z, w of a table, in this order; other columns are passed over.
-struct PointTable {
-    int columns = 0;
-    std::vector<std::vector<double>> points;
-};
-
-std::vector<std::string> splitLine(std::string_view line) {
-    std::vector<std::string> cells;
-    std::size_t start = 0;
-    while (start <= line.size()) {
-        const std::size_t comma = std::min(line.find(',', start), line.size());
-        std::string cell(line.substr(start, comma - start));
-        while (!cell.empty() && (cell.back() == ' ' || cell.back() == '\r')) cell.pop_back();
-        while (!cell.empty() && cell.front() == ' ') cell.erase(cell.begin());
-        cells.push_back(cell);
-        start = comma + 1;
-    }
-    return cells;
-}
-
-Expected<PointTable> readPoints(const std::string& path) {
-    Expected<Bytes> bytes = readFile(path);
-    if (!bytes) return bytes.status();
-    const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-    PointTable table;
-    std::vector<std::size_t> places;
-    std::size_t start = 0, number = 0, width = 0;
-    while (start < text.size()) {
-        const std::size_t end = std::min(text.find('\n', start), text.size());
-        const auto cells = splitLine(text.substr(start, end - start));
-        start = end + 1;
-        ++number;
-        if (cells.size() == 1 && cells[0].empty()) continue;
-        const std::string where = path + ", line " + std::to_string(number);
-        if (places.empty()) {
-            for (const char* name : {"x", "y", "z", "w"})
-                for (std::size_t i = 0; i < cells.size(); ++i)
-                    if (cells[i] == name) places.push_back(i);
-            if (places.empty())
-                return Status::data(where + ": a head line with columns x[,y[,z[,w]]] is expected");
-            width = cells.size();
-            continue;
-        }
-        if (cells.size() != width)
-            return Status::data(where + ": " + std::to_string(cells.size()) + " columns, not " +
-                                std::to_string(width));
-        if (table.points.size() >= kMostPoints) return Status::data(where + ": too many points");
-        table.points.emplace_back();
-        for (std::size_t place : places) {
-            const std::optional<double> value = parseDecimal(cells[place]);
-            if (!value) return Status::data(where + ": \"" + cells[place] + "\" is not a number");
-            table.points.back().push_back(*value);
-        }
-    }
-    table.columns = static_cast<int>(places.size());
-    return table;
-}
 
 struct EvalRequest {
     SceneRequest source;
@@ -91,17 +31,18 @@ Status evalPoints(const EvalRequest& request, int threads) {
         }
         fields.push_back(field->field);
     }
-    Expected<PointTable> table = readPoints(request.points);
+    Expected<PointTable> table = readPoints(request.points, opened->scene);
     if (!table) return table.status();
     Job job(threads);
     const ProgressLine progress(job, "evaluating");
     CpuRenderer renderer;
     std::vector<std::vector<double>> rows;
-    if (Status status = renderer.measureAt(opened->scene, table->points, fields, {}, job, rows);
-        !status.ok())
-        return status;
+    const Status status =
+        table->start ? renderer.measureAt(table->scene, table->points, fields, {}, job, rows)
+                     : renderer.measureAlong(table->scene, table->points, fields, {}, job, rows);
+    if (!status.ok()) return status;
     std::string text;
-    for (int k = 0; k < table->columns; ++k) text += std::string(k > 0 ? "," : "") + "xyzw"[k];
+    for (const std::string& name : table->names) text += (text.empty() ? "" : ",") + name;
     const int dimension = mapOf(opened->scene).dimension;
     for (FieldName field : fields)
         if (field == FieldName::versor)
@@ -115,7 +56,7 @@ Status evalPoints(const EvalRequest& request, int threads) {
         for (double value : rows[i]) text += "," + formatNumber(value);
         text += "\n";
     }
-    if (Status status = writeFileAtomically(request.output, text); !status.ok()) return status;
+    if (Status written = writeFileAtomically(request.output, text); !written.ok()) return written;
     if (!request.json || request.output == "-") return {};
     return print(printJson(Json{{"output", request.output}, {"points", rows.size()}}));
 }
@@ -140,6 +81,7 @@ Status printOrbit(const OrbitRequest& request) {
         scene.start[k] = request.at[k];
     }
     Job job(1);
+    sayWarnings(job);
     CpuRenderer renderer;
     Expected<OrbitProgram> program = renderer.binder().bind(scene, job);
     if (!program) return program.status();
@@ -185,7 +127,10 @@ void addMeasureCommands(CommandLine& line) {
         "  versorium eval mandelbrot --points points.csv --field smooth_escape -o out.csv\n"
         "  versorium eval shape-modulus --set shape=grid.f3d --set roots=poly.p4d \\\n"
         "      --set alpha=6 --field log_modulus --points points.csv -o out.csv\n"
-        "Points are a table with a head line and columns x[,y[,z[,w]]]: the starting point.\n");
+        "Points are a table with a head line. Columns x,y are coordinates along the axes of the\n"
+        "scene's slice: c of the Mandelbrot set. Columns may be named as numbers of the scene:\n"
+        "z.re,z.im are starting points, c.re,c.im parameters. Of maps with three or four\n"
+        "dimensions x,y,z[,w] are the starting point. Other columns are passed over.\n");
     const auto request = std::make_shared<EvalRequest>();
     addSceneOptions(*eval, request->source);
     eval->add_option("--points", request->points, "CSV file, or - for standard input")->required();

@@ -2,12 +2,19 @@
 #include "commands/open.h"
 
 #include <algorithm>
+#include <cstdio>
+
+#include "io/known_formats.h"
+#include "io/palette_files.h"
 
 namespace versorium {
 namespace {
 
 bool looksLikeFile(const std::string& what) {
-    if (what == "-" || what.ends_with(".json") || what.ends_with(".png")) return true;
+    if (what == "-" || hasEnding(what, {".json", ".png"})) return true;
+    // Views of other programs, and what is refused by its name.
+    if (hasEnding(what, {".xpf", ".par", ".kfr"}) || namesShapeFile(what) || namesPalette(what))
+        return true;
     return what.find('/') != std::string::npos && !FormulaMap::make(what);
 }
 
@@ -42,6 +49,7 @@ Expected<OpenedScene> open(const std::string& what) {
     if (!scene) return scene.status().in(what);
     Expected<PictureOptions> options = pictureOptions(*document);
     if (!options) return options.status().in(what);
+    if (!document->note.empty()) std::fprintf(stderr, "versorium: %s\n", document->note.c_str());
     return OpenedScene{std::move(*scene), *options};
 }
 

@@ -6,6 +6,7 @@
 #include "commands/commands.h"
 #include "commands/open.h"
 #include "io/files.h"
+#include "io/known_formats.h"
 #include "io/npy.h"
 #include "plate/plate_picture.h"
 
@@ -143,6 +144,7 @@ Status renderScene(const RenderRequest& request, int threads) {
             return status;
     if (Status status = writeFileAtomically(request.output, *png); !status.ok()) return status;
     if (!request.json) return {};
+    reportWarnings(job, report);
     // A picture on standard output leaves no room for a report there.
     if (request.output == "-") return std::fputs(printJson(report).c_str(), stderr), Status{};
     return print(printJson(report));
@@ -156,8 +158,8 @@ struct PlateRequest {
 };
 
 Expected<PlateDocument> openPlate(const std::string& what) {
-    const bool file = what == "-" || what.find('/') != std::string::npos ||
-                      what.ends_with(".json") || what.ends_with(".png");
+    const bool file =
+        what == "-" || what.find('/') != std::string::npos || hasEnding(what, {".json", ".png"});
     if (!file) return plateNamed(what);
     Expected<Document> document = readDocument(what);
     if (!document) return document.status();
@@ -197,9 +199,11 @@ Status makePlate(const PlateRequest& request, int threads) {
         if (Status status = writeFileAtomically(textPath(request.output), file->text); !status.ok())
             return status;
     if (!request.json || request.output == "-") return {};
-    return print(printJson(Json{{"output", request.output},
-                                {"text", textPath(request.output)},
-                                {"sha256", sha256(file->png)}}));
+    Json report{{"output", request.output},
+                {"text", textPath(request.output)},
+                {"sha256", sha256(file->png)}};
+    reportWarnings(job, report);
+    return print(printJson(report));
 }
 
 }  // namespace

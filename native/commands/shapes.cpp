@@ -5,6 +5,7 @@
 #include "commands/open.h"
 #include "fields/ensemble.h"
 #include "io/files.h"
+#include "io/known_formats.h"
 #include "io/root_files.h"
 #include "plate/plate_picture.h"
 #include "render/shape_profile.h"
@@ -81,13 +82,14 @@ Status makeRoots(RootsRequest request, int threads) {
     Expected<Scene> with = sceneFromJson(json);
     if (!with) return Status::usage(with.status().message());
     Job job(threads);
+    sayWarnings(job);
     Binder binder;
     Expected<OrbitProgram> program = binder.bind(*with, job);
     if (!program) return program.status();
     const RandomRoots& options = program->ensemble->roots;
     if (!request.output.empty()) {
         const RootList roots = randomRoots(options, request.seed);
-        const Status status = request.output.ends_with(".p4d")
+        const Status status = hasEnding(request.output, {".p4d"})
                                   ? writeFileAtomically(request.output, writeRootsBinary(roots))
                                   : writeFileAtomically(request.output, writeRootsJson(roots));
         if (!status.ok()) return status;
@@ -111,6 +113,7 @@ Status writeProfile(const ProfileRequest& request, int threads) {
     Expected<OpenedScene> opened = openScene(request.source);
     if (!opened) return opened.status();
     Job job(threads);
+    sayWarnings(job);
     Binder binder;
     Expected<RadialProfile> profile =
         shapeProfile(binder, opened->scene, request.to, request.radii, job);

@@ -10,6 +10,7 @@ import unittest
 sys.dont_write_bytecode = True
 import catalogue
 import dependencies
+import glyphs
 import kernel_symbols
 import map_names
 import sizes
@@ -17,6 +18,28 @@ import texts
 import tracked_files
 
 HERE = pathlib.Path(__file__).resolve().parent
+
+
+class Glyphs(unittest.TestCase):
+
+    def faults(self, name, text):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder).resolve()
+            (root / "core/cmake").mkdir(parents=True)
+            (root / "core/cmake/fonts.cmake").write_text(
+                'string(JOIN "," letters\n    U+0020-007E U+00B0 U+2713)\n')
+            path = root / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+            return glyphs.check(root)[1]
+
+    def test_finds(self):
+        self.assertEqual(len(self.faults("core/ui/a.cpp", 'f("\u2717 no");\n')), 1)
+        self.assertEqual(len(self.faults("core/i18n/es.json", '{"a": "\u00f1"}\n')), 1)
+        self.assertEqual(len(self.faults("lessons/1-a.en.md", "\u2192\n")), 1)
+
+    def test_leaves_alone(self):
+        self.assertEqual(self.faults("core/ui/a.cpp", 'f("\u2713 90\u00b0");  // \u2192\n'), [])
 
 
 class Dependencies(unittest.TestCase):

@@ -14,6 +14,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import zlib
 import zipfile
 
 PROGRAM = os.path.abspath(sys.argv.pop(1))
@@ -643,7 +644,7 @@ class BadInput(CommandLine):
         bare, at = whole[:8], 8
         while at < len(whole):
             (length,) = struct.unpack(">I", whole[at : at + 4])
-            if whole[at + 4 : at + 8] != b"iTXt":
+            if whole[at + 4 : at + 8] not in (b"iTXt", b"tEXt", b"zTXt"):
                 bare += whole[at : at + 12 + length]
             at += 12 + length
         self.refused(DATA, "scene", self.write("bare.png", bare), says="carries no scene")
@@ -664,6 +665,41 @@ class BadInput(CommandLine):
                      *grid, says="s.stl")
         self.refused(DATA, "shape", "star(5, 0.4)", *grid, says="character")
         self.refused(USAGE, "shape", "sphere(0.3)", *grid, "--resolution", "4000")
+
+    def evaluated(self, scene, content, *options):
+        path = self.write("p.csv", content)
+        lines = self.good("eval", scene, "--points", path, "--field", "membership",
+                          *options).decode().split()
+        return [float(line.split(",")[-1]) for line in lines[1:]]
+
+    def test_points_are_coordinates_along_the_slice(self):
+        # Of the Mandelbrot set they are c: -1 and i are members, 1 and 2i are none.
+        self.assertEqual(self.evaluated("mandelbrot", "x,y\n0,0\n-1,0\n0,1\n1,0\n0,2\n"),
+                         [1, 1, 1, 0, 0])
+        self.assertEqual(self.evaluated("mandelbrot", "c.re,c.im\n-1,0\n1,0\n"), [1, 0])
+        # Starting points by their names: under z^2 the unit disc stays.
+        self.assertEqual(self.evaluated("mandelbrot", "z.im,z.re\n0,0.5\n0.9,0\n0,1.5\n",
+                                        "--set", "c=0"), [1, 1, 0])
+        self.assertEqual(self.evaluated("julia", "x,y\n0.5,0\n1.5,0\n", "--set", "c=0"), [1, 0])
+
+    def test_point_tables_in_the_spellings_of_other_programs(self):
+        plain = self.evaluated("mandelbrot", "x,y\n0,0\n-1,0\n0.3,0.5\n0,1\n2,2\n")
+        for content in ("\ufeffx,y\n0,0\n-1,0\n0.3,0.5\n0,1\n2,2\n",
+                        "x,y\r0,0\r-1,0\r0.3,0.5\r0,1\r2,2\r",
+                        "x,y\r\n0,0\r\n-1,0\r\n0.3,0.5\r\n0,1\r\n2,2\r\n",
+                        "X,Y\n0,0\n-1,0\n0.3,0.5\n0,1\n2,2\n",
+                        "x;y\n0;0\n-1;0\n0,3;0,5\n0;1\n2;2\n",
+                        "x\ty\n0\t0\n-1\t0\n0.3\t0.5\n0\t1\n2\t2\n",
+                        '"x","y"\n"0","0"\n-1,0\n0.3,0.5\n0,1\n2,2\n',
+                        "y,x\n0,0\n0,-1\n0.5,0.3\n1,0\n2,2\n"):
+            self.assertEqual(self.evaluated("mandelbrot", content), plain, repr(content))
+
+    def test_point_tables_that_could_mean_two_things_are_refused(self):
+        for content in ("x,z\n1,2\n", "y\n1\n", "x,y,w\n1,2,3\n", "x,x\n1,2\n", "", "\n",
+                        "x,c.re\n1,2\n", "x,y,z\n1,2,3\n", "x,y\n"):
+            path = self.write("p.csv", content)
+            self.refused(DATA, "eval", "mandelbrot", "--points", path, "--field", "membership",
+                         says="p.csv")
 
     def test_point_tables(self):
         for content in ("", "a,b\n1,2\n", "x,y\n1\n", "x,y\n1,two\n"):
@@ -702,6 +738,120 @@ class Lessons(CommandLine):
         path = self.write("bad.en.md", example.replace(b"point: 0.71, 0.71", b"point: 0.5, 0.5"))
         self.refused(DATA, "lesson", "check", path, says="does not reach the goal")
         self.refused(USAGE, "lesson", "check", "no-such-lesson", says="1-orbits")
+
+
+class FilesOfOthers(CommandLine):
+    """Meshes, pictures, palettes and views as other programs write and name them."""
+
+    WEDGE = ("v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 0 0 1.5\nv 1 0 1.5\nv 1 1 1.5\nv 0 1 1.5\n"
+             "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 4 1 5 8\n")
+
+    def test_one_mesh_by_every_name(self):
+        expected = None
+        for name in ("wedge.obj", "wedge (1).obj", "WEDGE.OBJ", "a wedge.Obj", "wedge.stl"):
+            mesh = self.write(name, self.WEDGE)
+            self.good("shape", mesh, "-o", self.path("g.f3d"), "--resolution", "16")
+            expected = expected or self.read("g.f3d")
+            self.assertEqual(self.read("g.f3d"), expected, name)
+            self.good("render", "shape-modulus", "--set", "shape=" + mesh, "--set",
+                      "resolution=16", "--size", "8x8", "-o", self.path("M.PNG"))
+            self.good("render", self.path("M.PNG"), "-o", self.path("again.png"))
+            self.assertEqual(self.read("M.PNG"), self.read("again.png"))
+
+    def test_what_is_wrong_with_a_mesh_is_said(self):
+        open_mesh = self.write("open.obj", self.WEDGE.replace("f 5 6 7 8\n", ""))
+        turned = self.write("turned.obj", self.WEDGE.replace("f 5 6 7 8", "f 8 7 6 5"))
+        for mesh, word in ((open_mesh, "open"), (turned, "turned")):
+            result = self.run_program("shape", mesh, "-o", self.path("g.f3d"), "--resolution",
+                                      "16", "--json")
+            self.assertEqual(result.returncode, 0)
+            self.assertIn("warning: ", result.stderr.decode())
+            self.assertIn(word, result.stderr.decode())
+            self.assertTrue(any(word in text for text in json.loads(result.stdout)["warnings"]))
+            result = self.run_program("render", "shape-modulus", "--set", "shape=" + mesh, "--set",
+                                      "resolution=16", "--size", "8x8", "-o", self.path("a.png"),
+                                      "--json")
+            self.assertIn(word, result.stderr.decode())
+            self.assertTrue(json.loads(result.stdout)["warnings"])
+        self.assertNotIn("warnings", json.loads(
+            self.good("shape", self.write("good.obj", self.WEDGE), "-o", self.path("g.f3d"),
+                      "--resolution", "16", "--json")))
+
+    def test_palettes(self):
+        maps = (("a.map", "0 0 0\n255 128 0\n255 255 255\n"),
+                ("a.GPL", "GIMP Palette\nName: a\n#\n0 0 0\n255 128 0\n255 255 255\n"),
+                ("a b.txt", "#000000\n#ff8000\n#ffffff\n"))
+        pictures = set()
+        for name, text in maps:
+            self.good("render", "mandelbrot", "--size", "16x16", "-o", self.path("p.png"), "--set",
+                      "palette=" + self.write(name, text))
+            document = json.loads(self.good("scene", self.path("p.png")))
+            stops = document["body"]["colour"]["palette"]["stops"]
+            pictures.add(json.dumps([stop["colour"] for stop in stops]))
+        self.assertEqual(pictures, {'["#000000", "#ff8000", "#ffffff"]'})
+        self.refused(DATA, "render", "mandelbrot", "-o", self.path("x.png"), "--set",
+                     "palette=" + self.write("bad.map", "0 0 0\n1 2 900\n"), says="line 2")
+
+    def test_views(self):
+        view = self.write("sea.xpf", "(initstate)\n(formula 'mandel)\n(view -0.745 0.113 0.02 0.02)\n"
+                          "(maxiter 700)\n")
+        result = self.run_program("render", view, "--size", "8x8", "-o", self.path("v.png"))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("XaoS", result.stderr.decode())
+        body = json.loads(self.good("scene", self.path("v.png")))["body"]
+        self.assertEqual(body["slice"]["center"], [-0.745, 0.113])
+        self.assertEqual(body["iterations"], 700)
+
+    def test_known_formats_are_refused_by_name(self):
+        for name, content, word in (("a.gif", b"GIF89a", "GIF"), ("a.svg", b"<svg/>", "SVG"),
+                                    ("a.webp", b"RIFF\0\0\0\0WEBPVP8 ", "WebP")):
+            path = self.write(name, content)
+            self.refused(DATA, "render", path, "-o", self.path("x.png"), says=word)
+            self.refused(DATA, "shape", path, "-o", self.path("x.png"), says=(word, "PNG"))
+            self.refused(DATA, "render", "shape-modulus", "-o", self.path("x.png"), "--size", "8x8", "--set",
+                         "shape=" + path, says=word)
+            self.refused(DATA, "render", "mandelbrot", "-o", self.path("x.png"), "--set", "layer=" + path,
+                         says=word)
+
+    def test_a_picture_becomes_a_layer(self):
+        self.good("render", "julia", "--size", "8x8", "-o", self.path("photo 1.PNG"))
+        self.good("render", "mandelbrot", "--size", "8x8", "-o", self.path("l.png"), "--set",
+                  "layer=" + self.path("photo 1.PNG"), "--set", "layers[0].front=true", "--set",
+                  "layer=#ffffff")
+        document = json.loads(self.good("scene", self.path("l.png")))
+        self.assertEqual(len(document["body"]["layers"]), 2)
+        self.assertTrue(document["body"]["layers"][0]["front"])
+        self.assertEqual([asset["name"] for asset in document["assets"].values()], ["photo 1.PNG"])
+        self.good("render", self.path("l.png"), "-o", self.path("m.png"))
+        self.assertEqual(self.read("l.png"), self.read("m.png"))
+
+    def test_outlines_of_logos(self):
+        def png(pixels):  # of grey and alpha, 8 by 8
+            def chunk(kind, data):
+                return (struct.pack(">I", len(data)) + kind + data +
+                        struct.pack(">I", zlib.crc32(kind + data)))
+            rows = b"".join(b"\0" + bytes(pixels[y * 16:y * 16 + 16]) for y in range(8))
+            return (b"\x89PNG\r\n\x1a\n" +
+                    chunk(b"IHDR", struct.pack(">IIBBBBB", 8, 8, 8, 4, 0, 0, 0)) +
+                    chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+        inside = [2 <= x < 6 and 2 <= y < 6 for y in range(8) for x in range(8)]
+        logos = {
+            (): [part for p in inside for part in ((0, 255) if p else (255, 255))],
+            ("invert",): [part for p in inside for part in ((255, 255) if p else (0, 255))],
+            ("by-alpha",): [part for p in inside for part in ((255, 255) if p else (255, 0))],
+            ("by-alpha", "invert"): [part for p in inside for part in ((0, 0) if p else (0, 255))],
+        }
+        grids = set()
+        for flags, pixels in logos.items():
+            logo = self.write("logo.png", png(pixels))
+            self.good("shape", logo, "-o", self.path("l.grid"), *("--" + flag for flag in flags))
+            grids.add(self.read("l.grid"))
+            sets = [f"--set=shape.{flag.replace('-', '_')}=true" for flag in flags]
+            self.good("render", "star", "--size", "8x8", "-o", self.path("s.png"), "--set",
+                      "shape=" + logo, *sets)
+        self.assertEqual(len(grids), 1)
+        self.refused(DATA, "shape", self.write("w.png", png(logos[("by-alpha",)])), "-o",
+                     self.path("x.grid"), says=("shape.threshold", "shape.by_alpha"))
 
 
 if __name__ == "__main__":

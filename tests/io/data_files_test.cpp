@@ -116,6 +116,8 @@ TEST(RootFiles, RoundTrips) {
     ASSERT_TRUE(binary.ok()) << binary.status().message();
     EXPECT_EQ(*binary, list);
     const std::string text = " \n" + writeRootsJson(list);
+    const std::string marked = "\xef\xbb\xbf\r\n" + std::string(text);
+    EXPECT_TRUE(readRoots(Bytes(marked.begin(), marked.end())).ok());
     const Expected<RootList> json = readRoots(Bytes(text.begin(), text.end()));
     ASSERT_TRUE(json.ok()) << json.status().message();
     EXPECT_EQ(*json, list);

@@ -91,6 +91,31 @@ TEST(Assign, MovesTheStart) {
     EXPECT_EQ(scene.start[0], 0.5);
 }
 
+// Points are written as lists or as formulas write them.
+TEST(Assign, TakesComplexNumbersAsFormulasWriteThem) {
+    const auto c = [](const char* text) {
+        Scene scene = sceneOf(*findMap("quadratic"));
+        EXPECT_TRUE(set(scene, text).ok()) << text;
+        return scene.parameters.at("c");
+    };
+    using Point = std::vector<double>;
+    EXPECT_EQ(c("c=-0.8+0.156i"), (Point{-0.8, 0.156}));
+    EXPECT_EQ(c("c=-0.8 - 0.156*i"), (Point{-0.8, -0.156}));
+    EXPECT_EQ(c("c=i"), (Point{0, 1}));
+    EXPECT_EQ(c("c=-0.8"), (Point{-0.8, 0}));
+    EXPECT_EQ(c("c=-0.8,0.156"), (Point{-0.8, 0.156}));
+    Scene scene = sceneOf(*findMap("quadratic"));
+    ASSERT_TRUE(set(scene, "center=-0.5+0.25i").ok());
+    EXPECT_EQ(scene.slice.centre, (Point{-0.5, 0.25}));
+    ASSERT_TRUE(set(scene, "aspect=16/9").ok());
+    EXPECT_EQ(scene.aspect, 16.0 / 9);
+    for (const char* text : {"c=-0.8+0.156j", "c=0,4+1", "c=x", "c=1/0"})
+        EXPECT_FALSE(set(scene, text).ok()) << text;
+    Scene quaternion = sceneOf(*findMap("quaternion-quadratic"));
+    ASSERT_TRUE(set(quaternion, "c=-0.2 + 0.8*j").ok());
+    EXPECT_EQ(quaternion.parameters.at("c"), (Point{-0.2, 0, 0.8, 0}));
+}
+
 // What is refused says the assignment and the reason, and leaves the scene as it was.
 TEST(Assign, RefusesWhatMakesNoSense) {
     for (const char* text : {"colour=red",
@@ -101,7 +126,6 @@ TEST(Assign, RefusesWhatMakesNoSense) {
                              "iterations=1.5",
                              "iterations=-1",
                              "iterations=99999999",
-                             "c=1",
                              "c=1,2,3",
                              "c=nan,0",
                              "c=inf,0",

@@ -128,7 +128,7 @@ TEST(MeshFiles, ObjInEveryFaceSyntax) {
         expectSame(readMesh(bytesOf(objText(mesh, corner)), "ball.OBJ"), mesh);
 }
 
-TEST(MeshFiles, ObjPolygonsAreFanned) {
+TEST(MeshFiles, ConvexObjPolygonsAreFans) {
     const Expected<Mesh> mesh =
         readObj(bytesOf("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0 1.0\nf 1 2 \\\n 3 4 # square\n"));
     ASSERT_TRUE(mesh.ok()) << mesh.status().message();

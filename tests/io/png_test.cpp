@@ -65,6 +65,41 @@ TEST(Png, TextsTravelWholeWhateverTheirLength) {
     EXPECT_EQ(*texts, options.texts);
 }
 
+// Where the chunk of a type is, or npos.
+std::size_t chunkAt(const std::vector<unsigned char>& bytes, const char* type) {
+    return std::string(bytes.begin(), bytes.end()).find(type);
+}
+
+TEST(Png, AsciiIsWrittenWhereEditorsKeepIt) {
+    const Raster<unsigned char> dot({1, 1}, 3);
+    const std::pair<std::string, const char*> texts[] = {{"{\"a\": 1}\n", "tEXt"},
+                                                         {std::string(2000, 'a'), "tEXt"},
+                                                         {std::string(100000, 'a'), "zTXt"},
+                                                         {"{\"a\": \"\xc3\xa4\"}", "iTXt"}};
+    for (const auto& [text, type] : texts) {
+        const auto bytes = encodePng(dot, {.texts = {{"versorium", text}}});
+        ASSERT_TRUE(bytes.ok());
+        for (const char* other : {"tEXt", "zTXt", "iTXt"})
+            EXPECT_EQ(chunkAt(*bytes, other) != std::string::npos, std::string(other) == type)
+                << type;
+        const auto read = decodePngText(*bytes);
+        ASSERT_TRUE(read.ok()) << read.status().message();
+        EXPECT_EQ(read->at(0).text, text);
+    }
+}
+
+TEST(Png, TextsOfOtherProgramsAreLatin) {
+    const Raster<unsigned char> dot({1, 1}, 3);
+    auto bytes = *encodePng(dot, {.texts = {{"Author", "Zo.,"}}});
+    const std::size_t at = chunkAt(bytes, "tEXt");
+    bytes[at + 4 + 7 + 2] = 0xeb;  // e with two dots
+    const auto data = std::span<const unsigned char>(bytes).subspan(at, 4 + 11);
+    patch(bytes, at + 4 + 11, crc32(data));
+    const auto texts = decodePngText(bytes);
+    ASSERT_TRUE(texts.ok()) << texts.status().message();
+    EXPECT_EQ(texts->at(0).text, "Zo\xc3\xab,");
+}
+
 TEST(Png, SameInputSameBytes) { EXPECT_EQ(small(), small()); }
 
 TEST(Png, SaysItsResolution) {

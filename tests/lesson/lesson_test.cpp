@@ -94,6 +94,22 @@ TEST(Lesson, SaysInWhichLineAFaultLies) {
     EXPECT_FALSE(parseLesson("---\n---\n", "a.en.md"));
 }
 
+TEST(Lesson, LineEndsAndAByteOrderMarkDoNotMatter) {
+    const std::string body = "## One\n\nSome *prose*.\n\nMore.\n\n## Two\n\nText.\n";
+    const Expected<Lesson> plain = parseLesson(kFront + body, "test.en.md");
+    ASSERT_TRUE(plain) << plain.status().message();
+    for (const std::string end : {"\r", "\r\n"}) {
+        std::string text = "\xef\xbb\xbf";
+        for (const char c : kFront + body) text += c == '\n' ? end : std::string(1, c);
+        const Expected<Lesson> lesson = parseLesson(text, "test.en.md");
+        ASSERT_TRUE(lesson) << lesson.status().message();
+        EXPECT_EQ(lesson->title, plain->title);
+        ASSERT_EQ(lesson->steps.size(), 2u);
+        EXPECT_EQ(lesson->steps[0].prose.size(), plain->steps[0].prose.size());
+        EXPECT_EQ(parseLessonHead(text, "test.en.md")->steps, 2u);
+    }
+}
+
 TEST(Lesson, HtmlStaysText) {
     const Expected<Lesson> lesson = parseLesson(kFront + "## One\n\n<b>bold</b>\n", "t.en.md");
     ASSERT_TRUE(lesson) << lesson.status().message();

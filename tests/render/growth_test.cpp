@@ -53,8 +53,9 @@ void expectSmooth(const Scene& scene, double from, double to, double height) {
 }
 
 TEST(SmoothEscape, HasNoFlatPiecesWhateverTheGrowth) {
-    for (const char* text : {"z^2 + 0.1", "z^3 + 0.1", "z^n + 0.1; n = 5", "z^2.5 + 0.1",
-                             "z^4/z + 0.1", "z*norm(z) + 0.1", "conj(z)^3 + 0.1", "z^5/(z^2 + 4)"})
+    for (const char* text :
+         {"z^2 + 0.1", "z^3 + 0.1", "z^n + 0.1; n = 5", "z^2.5 + 0.1", "z^4/z + 0.1",
+          "z*norm(z) + 0.1", "conj(z)^3 + 0.1", "z^5/(z^2 + 0.1)"})
         expectSmooth(sceneOfText(text), 1.3, 3, 0.05);
     for (const char* text : {"exp(z)", "z^2*exp(z/2)", "0.9*sinh(z)"})
         expectSmooth(sceneOfText(text), 1.5, 4, 0.01);
@@ -86,8 +87,8 @@ TEST(SmoothEscape, FollowsExponentsOnAnAxis) {
 
 TEST(CriticalStart, OfAMapWithAPoleGoesOnFromTheValueAtInfinity) {
     Scene scene = sceneOfText("1/z^2 + c");
-    ASSERT_TRUE(setProperty(scene, *propertyNamed(scene, "start"), Json{{"critical", 0}}).ok());
     scene.slice.axes = {{{{"c.re", 1.0}}}, {{{"c.im", 1.0}}}};
+    ASSERT_TRUE(setProperty(scene, *propertyNamed(scene, "start"), Json{{"critical", 0}}).ok());
     scene.iterations = 200;
     // 0 -> infinity -> c -> 1/c^2 + c: as if c were the start.
     Scene plain = scene;
@@ -110,9 +111,9 @@ TEST(CriticalStart, IsRefusedWhereThereIsNone) {
     EXPECT_NE(status.message().find("has no critical points"), std::string::npos);
     // A quadratic polynomial has one.
     Scene quadratic = sceneOfText("z^2 + c");
+    quadratic.slice.axes = {{{{"c.re", 1.0}}}, {{{"c.im", 1.0}}}};
     ASSERT_TRUE(
         setProperty(quadratic, *propertyNamed(quadratic, "start"), Json{{"critical", 1}}).ok());
-    quadratic.slice.axes = {{{{"c.re", 1.0}}}, {{{"c.im", 1.0}}}};
     Job job(1);
     CpuRenderer renderer;
     EXPECT_FALSE(renderer.binder().bind(quadratic, job).ok());

@@ -57,7 +57,7 @@ TEST(FormulaGrowth, FollowsParametersByTheirValues) {
 
 TEST(FormulaGrowth, IsNotGuessedWhereItIsNoPower) {
     for (const char* text :
-         {"c*sin(z)", "exp(z) + c", "z^2 + cosh(z)", "z^z", "z^3 - z^3 + z^2", "z^c", "tan(z)"})
+         {"c*sin(z)", "exp(z) + c", "z^2 + cosh(z)", "z^z", "z^3 - z^3 + z^2", "tan(z)"})
         EXPECT_EQ(growth(text), kUnknown) << text;
 }
 
@@ -72,8 +72,7 @@ TEST(FormulaGrowth, KnowsTheValueAtInfinity) {
     EXPECT_EQ(value("(2*z^2 + c)/(z^2 - 1)")->re, 2);
     EXPECT_EQ(value("1/z")->re, 0);
     EXPECT_EQ(value("exp(1/z) + c")->re, 1.3);
-    for (const char* text : {"z^2 + c", "exp(z)", "conj(1/z) + c", "z + 1/z"})
-        EXPECT_FALSE(value(text)) << text;
+    for (const char* text : {"z^2 + c", "exp(z)", "z + 1/z"}) EXPECT_FALSE(value(text)) << text;
 }
 
 }  // namespace

@@ -17,12 +17,12 @@
 namespace versorium {
 namespace {
 
-constexpr float kSide = 600;
+constexpr float kViewSide = 600;
 
 // One view of starting points that fills a square, with the pointer's work on it.
 struct RootStudio {
     SilentHost host;
-    HeadlessGui gui{{kSide, kSide}};
+    HeadlessGui gui{{kViewSide, kViewSide}};
     StudioContext context{host};
     int view = 1;
 
@@ -39,11 +39,12 @@ struct RootStudio {
     }
     void frames(int count = 1) {
         for (int k = 0; k < count; ++k)
-            gui.frame([&] { drawView(context, view, {0, 0}, {kSide, kSide}); });
+            gui.frame([&] { drawView(context, view, {0, 0}, {kViewSide, kViewSide}); });
     }
     const Scene& scene() const { return context.workspace.views[static_cast<std::size_t>(view)]; }
     ViewPlane plane() const {
-        return {{0, 0}, {kSide, kSide}, viewportOf(scene(), {int(kSide), int(kSide)})};
+        return {
+            {0, 0}, {kViewSide, kViewSide}, viewportOf(scene(), {int(kViewSide), int(kViewSide)})};
     }
     ImVec2 placeOf(const RootRef& ref) const {
         const auto place = placeOfRoot(scene(), rootAt(context.workspace, ref));
@@ -80,7 +81,7 @@ TEST(RootMarks, AreDraggedInAllViewsAtOnce) {
     const double height = studio.scene().slice.height;
     const ImVec2 at = studio.placeOf(ref);
     studio.drag({at.x + 3, at.y - 2}, {at.x + 63, at.y - 32});
-    const double unit = height / kSide;
+    const double unit = height / kViewSide;
     for (const Scene& scene : studio.context.workspace.views) {
         EXPECT_NEAR(scene.lists.at("roots").roots[1].q[0], before[0] + 60 * unit, 1e-5);
         EXPECT_NEAR(scene.lists.at("roots").roots[1].q[1], before[1] + 30 * unit, 1e-5);
@@ -102,7 +103,8 @@ TEST(RootMarks, LieWhereTheShiftTakesThem) {
     EXPECT_NEAR(place[0], before[0] + 0.1, 1e-15);
     const ImVec2 at = studio.placeOf({"roots", 2});
     studio.drag(at, {at.x + 50, at.y});
-    EXPECT_NEAR(studio.roots()[2].q[0], before[0] + 50 * studio.scene().slice.height / kSide, 1e-5);
+    EXPECT_NEAR(studio.roots()[2].q[0], before[0] + 50 * studio.scene().slice.height / kViewSide,
+                1e-5);
     EXPECT_NEAR(studio.roots()[2].q[1], before[1], 1e-6);
 }
 
@@ -116,7 +118,7 @@ TEST(RootMarks, MoveAlongTheAxesOfAQuaternionSlice) {
     const auto before = studio.roots()[3].q;
     const ImVec2 at = studio.placeOf({"roots", 3});
     studio.drag(at, {at.x + 30, at.y - 60});
-    const double unit = studio.scene().slice.height / kSide;
+    const double unit = studio.scene().slice.height / kViewSide;
     const auto after = studio.roots()[3].q;
     EXPECT_EQ(after[0], before[0]);
     EXPECT_NEAR(after[1], before[1] + 60 * unit, 1e-5);
@@ -159,7 +161,7 @@ TEST(RootMarks, ADoubleClickAddsDeleteAndTheMenuTakeAway) {
     const auto keys = [&] {
         studio.gui.frame([&] {
             handleKeys(studio.context);
-            drawView(studio.context, 1, {0, 0}, {kSide, kSide});
+            drawView(studio.context, 1, {0, 0}, {kViewSide, kViewSide});
         });
     };
     keys();

@@ -207,6 +207,33 @@ Status CpuRenderer::measure(const Scene& scene, Size size, const std::vector<Fie
     return done ? Status{} : Status::cancelled();
 }
 
+Status CpuRenderer::measureAlong(const Scene& scene, const std::vector<std::vector<double>>& points,
+                                 const std::vector<FieldName>& fields, const RenderOptions& options,
+                                 Job& job, std::vector<std::vector<double>>& rows) {
+    const Expected<OrbitProgram> program = binder_.bind(scene, job);
+    if (!program) return program.status();
+    const std::size_t axes = program->slice.axes.size();
+    rows.assign(points.size(), {});
+    const bool done =
+        job.parallelFor((points.size() + kPoints - 1) / kPoints, [&](std::size_t part) {
+            const std::size_t first = part * kPoints;
+            const std::size_t count = std::min<std::size_t>(kPoints, points.size() - first);
+            std::vector<std::vector<double>> coordinates(3, std::vector<double>(count, 0.0));
+            for (std::size_t i = 0; i < count; ++i)
+                for (std::size_t k = 0; k < axes && k < 3; ++k)
+                    coordinates[k][i] = points[first + i][k];
+            const double* pointers[3] = {coordinates[0].data(), coordinates[1].data(),
+                                         coordinates[2].data()};
+            const auto values = evaluateFields(*program, static_cast<int>(count), pointers, fields,
+                                               optionsFor(options, job));
+            for (std::size_t i = 0; i < count; ++i)
+                for (const auto& channel : values)
+                    for (std::size_t at = i; at < channel.size(); at += count)
+                        rows[first + i].push_back(channel[at]);
+        });
+    return done ? Status{} : Status::cancelled();
+}
+
 Status CpuRenderer::measureAt(const Scene& scene, const std::vector<std::vector<double>>& points,
                               const std::vector<FieldName>& fields, const RenderOptions& options,
                               Job& job, std::vector<std::vector<double>>& rows) {

@@ -34,6 +34,11 @@ class CpuRenderer {
                      const std::vector<FieldName>& fields, const RenderOptions& options, Job& job,
                      std::vector<std::vector<double>>& rows);
 
+    // The same at coordinates along the axes of the scene's slice, one for each axis.
+    Status measureAlong(const Scene& scene, const std::vector<std::vector<double>>& coordinates,
+                        const std::vector<FieldName>& fields, const RenderOptions& options,
+                        Job& job, std::vector<std::vector<double>>& rows);
+
     // From now on keeps up to so many bytes of what it measures for pictures: other colours of the
     // same orbits measure nothing, nor does `measure` where a pixel has one sample. The bytes of a
     // picture are the same as those of one that is measured.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/glsl/colour_shader.h"
 
+#include "colour/rules.h"
 #include "colour/scale.h"
 #include "fields/field_names.h"
 #include "render/glsl/shader.h"
@@ -86,7 +87,7 @@ float fieldOf(int field, vec4 kept, vec4 image) {
     switch (field) {
         case MEMBERSHIP: return escaped ? 0.0 : 1.0;
         case ESCAPE_STEP: return n;
-        case SMOOTH_ESCAPE: 
+        case SMOOTH_ESCAPE:
             if (!escaped) return n;
             return uLogDegree > 0.0 || uOnlyLast ? smoothStepOf(n, kept.y)
                                                  : measuredStepOf(n, kept.y, kept.w);

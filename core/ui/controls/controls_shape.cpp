@@ -52,6 +52,8 @@ void collectShape(StudioContext& context, ControlList& all) {
                  return status.ok();
              });
     if (!field) return;
+    if (scene.shape.source.starts_with("asset:"))
+        all.values({"shape.threshold", "shape.by_alpha", "shape.invert"});
     for (const bool alpha : {true, false}) collectModulation(context, all, alpha);
     if (const std::optional<PlaneInSpace> plane = markedPlane(context)) {
         all.number("slice offset", "how far the slice lies from the origin", planeOffset(*plane),

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "io/shape_file_kind.h"
 #include "scene/shape_controls.h"
 #include "scene/shape_name.h"
 #include "ui/panels/number_field.h"
@@ -68,6 +69,15 @@ std::string chosenShape(const char* id, const char* control, const std::string& 
     return chosen;
 }
 
+// Made of a picture's pixels.
+bool isPictureShape(const Scene& scene) {
+    constexpr std::string_view kAsset = "asset:";
+    if (!scene.shape.source.starts_with(kAsset)) return false;
+    const auto asset = scene.assets.find(scene.shape.source.substr(kAsset.size()));
+    return asset != scene.assets.end() &&
+           shapeFileKindOf(asset->second->bytes, asset->second->name) == ShapeFileKind::picture;
+}
+
 void shapeControls(StudioContext& context) {
     const Scene& scene = context.workspace.view();
     if (toolButton(context, "Draw", "draw shape", Drawing::Tool::outline)) return;
@@ -81,6 +91,11 @@ void shapeControls(StudioContext& context) {
     if (shapeText("##shape text", "shape text", typed.text)) {
         context.report(setShape(context, typed.text));
         return;
+    }
+    if (isPictureShape(scene)) {
+        drawValue(context, "shape.threshold");
+        drawValue(context, "shape.by_alpha");
+        drawValue(context, "shape.invert");
     }
     const OrbitProgram* program = context.bound.program(context.workspace.focused);
     if (!program || !program->field) {

@@ -5,29 +5,20 @@
 #include <cctype>
 
 #include "io/document.h"
+#include "io/foreign_views.h"
 #include "io/grid_files.h"
 #include "io/image_files.h"
+#include "io/known_formats.h"
 #include "io/mesh_files.h"
+#include "io/palette_files.h"
 #include "io/root_files.h"
+#include "io/shape_file_kind.h"
 #include "plate/plate_picture.h"
 #include "render/movie.h"
+#include "shape/mesh_report.h"
 
 namespace versorium {
 namespace {
-
-constexpr std::string_view kMeshes[] = {".obj", ".ply", ".stl"};
-constexpr std::string_view kGrids[] = {".f3d", ".field2d", ".grid"};
-constexpr std::string_view kImages[] = {".png", ".jpg", ".jpeg", ".bmp"};
-constexpr std::string_view kOthers[] = {".json", ".p4d"};
-constexpr std::string_view kLessons[] = {".md"};
-
-template <class Endings>
-bool endsWith(const std::string& name, const Endings& endings) {
-    std::string small = name;
-    for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return std::any_of(std::begin(endings), std::end(endings),
-                       [&](std::string_view ending) { return small.ends_with(ending); });
-}
 
 std::string fileName(const std::string& path) {
     const std::size_t slash = path.find_last_of("/\\");
@@ -52,13 +43,16 @@ Status openDocument(StudioContext& context, const std::string& name, const Docum
     Expected<Scene> scene = sceneWithAssets(document.body, document.assets);
     if (!scene) return scene.status();
     context.open(workspaceOf(*scene));
-    context.say(tr("Opened {1}", {name}));
+    context.say(tr("Opened {1}", {name}) +
+                (document.note.empty() ? "" : ". " + trMessage(document.note)));
     return {};
 }
 
-Status takePalette(StudioContext& context, const std::string& name, const Json& json) {
-    const Expected<Palette> palette = paletteFromJson(json);
-    if (!palette) return palette.status();
+Status takePalette(StudioContext& context, const std::string& name,
+                   std::span<const unsigned char> bytes) {
+    const Expected<PaletteFile> file = readPaletteFile(bytes, name);
+    if (!file) return file.status();
+    const Palette* palette = &file->palette;
     context.edit([&](Workspace& w) {
         Colouring& colour = w.view().colour;
         colour.palette = palette->name();
@@ -66,7 +60,8 @@ Status takePalette(StudioContext& context, const std::string& name, const Json& 
         if (colour.rule != ColourRule::phase && colour.rule != ColourRule::domain)
             colour.rule = ColourRule::palette;
     });
-    context.say(tr("{1} is the palette of the focused view", {name}));
+    context.say(tr("{1} is the palette of the focused view", {name}) +
+                (file->note.empty() ? "" : ". " + trMessage(file->note)));
     return {};
 }
 
@@ -109,9 +104,25 @@ void frame(Scene& scene, const Mesh& mesh) {
 }
 
 Status checkShape(const std::string& name, std::span<const unsigned char> bytes) {
-    if (endsWith(name, kMeshes)) return readMesh(bytes, name).status();
-    if (endsWith(name, kGrids)) return readGrid(bytes).status();
+    const ShapeFileKind kind = shapeFileKindOf(bytes, name);
+    if (kind == ShapeFileKind::mesh) return readMesh(bytes, name).status();
+    if (kind == ShapeFileKind::grid) return readGrid(bytes).status();
     return readImage(bytes).status();
+}
+
+// What is doubtful about a mesh, as sentences to follow another.
+std::string doubtsAbout(const Mesh& mesh) {
+    const MeshReport report = reportOf(mesh);
+    std::string text;
+    const auto add = [&](std::size_t count, const char* sentence) {
+        if (count > 0) text += ". " + tr(sentence, {std::to_string(count)});
+    };
+    add(report.openSides, trLater("It is open: {1} sides have no partner"));
+    add(report.turnedSides, trLater("Some faces are turned: {1} sides run one way only"));
+    add(report.doubledTriangles, trLater("{1} triangles stand twice"));
+    add(report.emptyTriangles, trLater("{1} triangles have no area"));
+    add(report.turned ? 1 : 0, trLater("It had its inside out and was turned"));
+    return text;
 }
 
 Status takeShape(StudioContext& context, const std::string& name,
@@ -134,15 +145,19 @@ Status takeShape(StudioContext& context, const std::string& name,
     if (source.empty())
         return Status::usage("a scene carries no more than " +
                              std::to_string(kMostAssetBytes >> 20) + " MiB");
-    for (Scene& scene : next.views) {
-        scene.shape.source = source;
-        if (endsWith(name, kMeshes)) frame(scene, *readMesh(bytes, name));
+    std::string doubts;
+    for (Scene& scene : next.views) scene.shape.source = source;
+    if (shapeFileKindOf(bytes, name) == ShapeFileKind::mesh) {
+        const Expected<Mesh> mesh = readMesh(bytes, name);
+        for (Scene& scene : next.views) frame(scene, *mesh);
+        doubts = doubtsAbout(*mesh);
     }
     context.open(std::move(next));
     const MapInfo& info = mapOf(context.workspace.view()).info;
-    context.say(fits ? tr("{1} is the shape of this scene now", {name})
-                     : tr("{1} is the shape of {2} now: {3} takes none",
-                          {name, tr(info.title), tr(std::string_view(before))}));
+    context.say((fits ? tr("{1} is the shape of this scene now", {name})
+                      : tr("{1} is the shape of {2} now: {3} takes none",
+                           {name, tr(info.title), tr(std::string_view(before))})) +
+                doubts);
     return {};
 }
 
@@ -193,10 +208,15 @@ Status takeLayer(StudioContext& context, const std::string& name,
     return {};
 }
 
+std::span<const unsigned char> bytesOf(const std::string& text) {
+    return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};
+}
+
 Status openJson(StudioContext& context, const std::string& name, const std::string& text) {
     Expected<Json> json = parseJson(text);
     if (!json) return json.status();
-    if (json->is_object() && json->contains("stops")) return takePalette(context, name, *json);
+    if (json->is_object() && json->contains("stops"))
+        return takePalette(context, name, bytesOf(text));
     if (json->is_object() && json->contains("roots") && !json->contains("map")) {
         const Expected<RootList> roots = readRootsJson(text);
         return roots ? takeRoots(context, name, *roots) : roots.status();
@@ -208,23 +228,30 @@ Status openJson(StudioContext& context, const std::string& name, const std::stri
 
 Status openAny(StudioContext& context, const std::string& name,
                std::span<const unsigned char> bytes) {
-    const bool png = bytes.size() > 4 && bytes[0] == 0x89 && bytes[1] == 'P';
-    if (context.imagesAreLayers && (png || endsWith(name, kImages)))
+    const bool picture = looksLikePicture(bytes);
+    if (context.imagesAreLayers && (picture || namesPicture(name)))
         return takeLayer(context, name, bytes);
-    if (png) {
+    if (isPng(bytes)) {
         const Expected<Document> document = documentFromBytes(bytes);
         // A picture without a scene is an image like any other.
         if (document) return openDocument(context, name, *document);
-        return takeShape(context, endsWith(name, kImages) ? name : name + ".png", bytes);
-    }
-    if (endsWith(name, kMeshes) || endsWith(name, kGrids) || endsWith(name, kImages))
         return takeShape(context, name, bytes);
-    if (endsWith(name, std::initializer_list<std::string_view>{".p4d"})) {
+    }
+    if (picture || namesShapeFile(name)) return takeShape(context, name, bytes);
+    if (hasEnding(name, {".p4d"})) {
         const Expected<RootList> roots = readRootsBinary(bytes);
         return roots ? takeRoots(context, name, *roots) : roots.status();
     }
     const std::string text(bytes.begin(), bytes.end());
-    if (endsWith(name, kLessons)) return openLessonFile(context, name, text);
+    if (hasEnding(name, {".md"})) return openLessonFile(context, name, text);
+    if (looksLikeForeignView(bytes)) {
+        const Expected<Document> document = documentFromBytes(bytes);
+        return document ? openDocument(context, name, *document) : document.status();
+    }
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    if (first != std::string::npos && text[first] != '{' && looksLikePalette(bytes))
+        return takePalette(context, name, bytes);
+    if (Status status = foreignFault(bytes); !status.ok()) return status;
     return openJson(context, name, text);
 }
 
@@ -251,8 +278,9 @@ Status openPlate(StudioContext& context, const std::string& name, const PlateDoc
 }
 
 bool mayOpen(const std::string& name) {
-    return endsWith(name, kMeshes) || endsWith(name, kGrids) || endsWith(name, kImages) ||
-           endsWith(name, kOthers) || endsWith(name, kLessons);
+    // A .txt may be anything, so it is not offered, though a list of colours opens from one.
+    return namesShapeFile(name) || (namesPalette(name) && !hasEnding(name, {".txt"})) ||
+           hasEnding(name, {".json", ".p4d", ".md", ".xpf", ".par", ".kfr"});
 }
 
 Status openBytes(StudioContext& context, const std::string& path,
@@ -295,6 +323,8 @@ Status openText(StudioContext& context, const std::string& given) {
         const std::string where = tr("the clipboard");
         return openJson(context, where, text).in(where);
     }
+    if (looksLikePalette(bytesOf(text)))
+        return takePalette(context, tr("the clipboard"), bytesOf(text));
     if (text.starts_with("file://")) return openFile(context, text.substr(7));
     if (text[0] == '/' && text.find('\n') == std::string::npos) return openFile(context, text);
     if (looksLikeFormula(text) && FormulaMap::make(text)) {

@@ -25,11 +25,8 @@ ImVec4 between(ImU32 a, ImU32 b, float t) {
     return {x.x + t * (y.x - x.x), x.y + t * (y.y - x.y), x.z + t * (y.z - x.z), 1};
 }
 
-// What the fonts were cut to (core/cmake/fonts.cmake), as ranges.
-constexpr ImWchar kLetters[] = {0x20,   0x17f,  0x2c6,  0x2c6,  0x302,  0x307,  0x391,  0x3c9,
-                                0x3d5,  0x3d5,  0x3f5,  0x3f5,  0x2009, 0x2034, 0x2070, 0x209c,
-                                0x2102, 0x2124, 0x2190, 0x21d4, 0x2200, 0x22c5, 0x2308, 0x230b,
-                                0x25a0, 0x25cf, 0x27e8, 0x27e9, 0xfffd, 0xfffd, 0};
+// All that the font has: core/cmake/fonts.cmake says what it was cut to.
+constexpr ImWchar kLetters[] = {0x20, 0xffff, 0};
 
 }  // namespace
 
