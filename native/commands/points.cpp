@@ -156,6 +156,12 @@ class Columns {
     const Scene& scene_;
 };
 
+// "p.csv, line 2: …"
+Status inFile(const Status& status, const std::string& path) {
+    const bool line = status.message().starts_with("line ");
+    return {status.kind(), path + (line ? ", " : ": ") + status.message()};
+}
+
 }  // namespace
 
 Expected<PointTable> readPoints(const std::string& path, const Scene& scene) {
@@ -163,7 +169,7 @@ Expected<PointTable> readPoints(const std::string& path, const Scene& scene) {
     if (!bytes) return bytes.status();
     const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
     Expected<CsvReader> reader = CsvReader::open(text);
-    if (!reader) return reader.status().in(path);
+    if (!reader) return inFile(reader.status(), path);
     const auto where = [&](std::size_t line) { return path + ", line " + std::to_string(line); };
     PointTable table;
     Columns columns(reader->header(), scene);
@@ -172,7 +178,7 @@ Expected<PointTable> readPoints(const std::string& path, const Scene& scene) {
     for (std::size_t place : columns.places) table.names.push_back(reader->header()[place]);
     while (true) {
         const Expected<bool> more = reader->next();
-        if (!more) return more.status().in(path);
+        if (!more) return inFile(more.status(), path);
         if (!*more) break;
         if (table.points.size() >= kMostPoints)
             return Status::data(where(reader->line()) + ": too many points");

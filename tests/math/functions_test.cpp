@@ -41,8 +41,8 @@ TEST(ComplexFunctions, TanGoesToIFarFromTheRealLine) {
     for (double y : {1.0, 20.0, 170.0, 400.0, 1e10}) {
         const Complex<double> up = functions::tan(Complex<double>{0.3, y});
         const Complex<double> down = functions::tan(Complex<double>{0.3, -y});
-        EXPECT_NEAR(up.im, 1, 2.1 * std::exp(-2 * y)) << y;
-        EXPECT_EQ(down.im, -up.im) << y;
+        EXPECT_NEAR(up.im, 1, 2.1 * std::exp(-2 * y) + 1e-15) << y;
+        EXPECT_NEAR(down.im, -up.im, 1e-15) << y;
         EXPECT_TRUE(std::isfinite(up.re)) << y;
     }
 }
