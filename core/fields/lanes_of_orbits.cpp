@@ -162,7 +162,7 @@ const EscapeResult& EscapeRun::run(OrbitLanes& lanes, Needed needed) {
     batch.needEscaped = needed != Needed::steps || program.onlyLastTested;
     batch.squaredCapture = capture_ * capture_;
     batch.shortcuts = options_->shortcuts;
-    if (program.measuresGrowth() && needed == Needed::escaped) {
+    if (program.measuresGrowth() && needed != Needed::steps) {
         result_.previousNorm.assign(capacity, 0.0);
         batch.previous = result_.previousNorm.data();
     }

@@ -74,6 +74,30 @@ TEST(SmoothEscape, MeasuredGrowthAgreesWithAKnownOne) {
     for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 2e-2) << points[i][0];
 }
 
+// |f| = e^(alpha (phi - beta)): no power of |z| at all. Its kernel is another one.
+TEST(SmoothEscape, OfAShapeModulusIsSmoothToo) {
+    Scene scene = sceneOf(*findMap("shape-modulus-quadratic"));
+    ASSERT_TRUE(setProperty(scene, *propertyNamed(scene, "shape"), "disc(1.2)").ok());
+    scene.escapeRadius = 20;
+    scene.iterations = 12;
+    std::vector<std::vector<double>> points;
+    for (int i = 0; i < 600; ++i) points.push_back({1.4 + 0.002 * i, 0.1});
+    for (const std::vector<FieldName>& fields :
+         {std::vector<FieldName>{FieldName::smoothEscape},
+          std::vector<FieldName>{FieldName::smoothEscape, FieldName::logModulus}}) {
+        Job job(1);
+        CpuRenderer renderer;
+        std::vector<std::vector<double>> rows;
+        ASSERT_TRUE(renderer.measureAlong(scene, points, fields, {}, job, rows).ok());
+        int equal = 0;
+        for (std::size_t i = 1; i < rows.size(); ++i) {
+            equal += rows[i][0] == rows[i - 1][0];
+            EXPECT_LT(std::abs(rows[i][0] - rows[i - 1][0]), 0.2) << points[i][0];
+        }
+        EXPECT_LT(equal, 6);
+    }
+}
+
 TEST(SmoothEscape, FollowsExponentsOnAnAxis) {
     Scene scene = sceneOfText("z^n + 0.1; n = 2");
     scene.slice.axes[0] = {{{"n", 1.0}}};

@@ -145,6 +145,13 @@ struct StepwiseKernel : EscapeKernel<M, R> {
             const State z = stepFrom<Known>(before, first, arguments);
             this->storeState(z, active.state, first);
             const auto inside = squaredNorm(z) <= radius;
+            if (batch.previous) {
+                T norms[kWidth];
+                storeLanes(squaredNorm(before), norms);
+                Base::forEachLane(!inside, first, [&](int i) {
+                    if (i < active.size) batch.previous[active.index[i]] = norms[i - first];
+                });
+            }
             end(!inside, first, n);
             if (compare) this->retireRepeating(z, inside, first, n, n - n0);
         });
