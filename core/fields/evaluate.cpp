@@ -27,12 +27,16 @@ double smoothStep(const OrbitProgram& program, int n, double squaredNorm) {
     return n + std::clamp(fraction, 0.0, 1.0);
 }
 
+constexpr double kLargestMeasured = 1e36;
+
 // The same with d = L_n / L_(n-1), L = ln(1 + |z|²), so that ν is continuous whatever the growth:
 // where |z_n| passes R, the first term is n on both sides.
 double measuredStep(const OrbitProgram& program, int n, double squaredNorm, double previous) {
     const double bound = program.escapeRadius * program.escapeRadius;
-    const double last = log(1 + squaredNorm), before = log(1 + previous);
-    if (!std::isfinite(bound) || !std::isfinite(last)) return n;
+    // What 32 bits cannot hold counts as the same, here and on the GPU.
+    const double last = log(1 + std::min(squaredNorm, kLargestMeasured));
+    const double before = log(1 + previous);
+    if (!std::isfinite(bound) || std::isnan(squaredNorm)) return n;
     if (!(before > 0) || !(last > before)) return n + 1;
     const double passed = log(last / log(1 + bound)) / log(last / before);
     return n + 1 - std::clamp(passed, 0.0, 1.0);

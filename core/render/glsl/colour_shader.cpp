@@ -39,8 +39,9 @@ float logarithm(float x) {
 }
 // Growth that is measured along the orbit (fields/evaluate.cpp, measuredStep).
 float measuredStepOf(float n, float norm, float previous) {
-    if (uBoundless || isUndefined(norm) || isInfinite(norm)) return n;
-    float last = log(1.0 + norm);
+    if (uBoundless) return n;
+    // In 32 bits a norm may be undefined because it overflowed on the way.
+    float last = log(1.0 + (isUndefined(norm) ? 1e36 : min(norm, 1e36)));
     float before = log(1.0 + previous);
     if (!(before > 0.0) || !(last > before)) return n + 1.0;
     return n + 1.0 - clamp(log(last / log(1.0 + uSquaredRadius)) / log(last / before), 0.0, 1.0);
